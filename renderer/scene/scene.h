@@ -1,0 +1,123 @@
+// What a scene file describes, in the host's arithmetic and the file's own units (metres, nits, candela,
+// lux): meshes placed by instances, materials with their textures, cameras, lights. glTF import fills it,
+// `bake` turns it into the World<N> that is traced.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace vitrine {
+
+/// 8-bit RGBA rows from top to bottom, exactly as the file stores them (no transfer function applied).
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;  ///< width * height * 4 bytes
+};
+
+enum class TextureWrap : std::uint8_t { kRepeat, kMirroredRepeat, kClampToEdge };
+
+/// A use of an image: which texture coordinates, how they are transformed (KHR_texture_transform), wrapped,
+/// filtered.
+struct TextureUse {
+  int image = -1;             ///< index into Scene::images; -1: no texture
+  int texcoord = 0;           ///< 0 or 1: which set of Primitive::uv
+  glm::mat3 transform{1.0F};  ///< applied to (u, v, 1)
+  TextureWrap wrap_s = TextureWrap::kRepeat;
+  TextureWrap wrap_t = TextureWrap::kRepeat;
+  bool nearest = false;  ///< nearest texel rather than bilinear
+
+  explicit operator bool() const { return image >= 0; }
+};
+
+/// glTF 2.0 metallic-roughness with the extensions that vitrine reads. Factors multiply textures.
+struct Material {
+  std::string name;
+  glm::vec3 base_color{1.0F};
+  TextureUse base_color_texture;  ///< sRGB
+  float metallic = 1.0F;
+  float roughness = 1.0F;
+  TextureUse metallic_roughness_texture;  ///< linear: G roughness, B metallic
+  glm::vec3 emission{0.0F};               ///< emissiveFactor * emissiveStrength, nits
+  TextureUse emission_texture;            ///< sRGB
+  bool double_sided = false;              ///< emits from both sides (both sides always reflect)
+  float ior = 1.5F;
+  float specular = 1.0F;  ///< 0: pure Lambert
+  glm::vec3 specular_color{1.0F};
+  float transmission = 0.0F;
+  TextureUse transmission_texture;  ///< linear: R
+  bool refracts = false;            ///< volume thickness > 0: a solid that refracts; otherwise a thin wall
+};
+
+/// Triangles of one material, in the mesh's own space. Empty attribute arrays mean "not given".
+struct Primitive {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;            ///< unit; empty: flat shading
+  std::array<std::vector<glm::vec2>, 2> uv;  ///< texture coordinate sets 0 and 1
+  std::vector<glm::vec3> colors;             ///< linear, multiplies the base colour
+  std::vector<glm::uvec3> triangles;         ///< indices into positions
+  int material = -1;                         ///< index into Scene::materials; -1: glTF's default material
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+};
+
+/// A mesh placed in the world.
+struct Instance {
+  std::string name;
+  int mesh = 0;
+  glm::dmat4 to_world{1.0};
+};
+
+/// Looks along -z of its own space, y up.
+struct CameraView {
+  std::string name;
+  glm::dmat4 to_world{1.0};
+  bool orthographic = false;
+  double yfov_rad = 0.8;         ///< perspective: full vertical angle
+  double xmag = 1.0;             ///< orthographic: half width, metres
+  double ymag = 1.0;             ///< orthographic: half height, metres
+  std::optional<double> aspect;  ///< width / height that must stay visible
+};
+
+enum class PunctualKind : std::uint8_t { kPoint, kSpot, kDirectional };
+
+/// KHR_lights_punctual. Shines along -z of its node.
+struct PunctualLight {
+  std::string name;
+  PunctualKind kind = PunctualKind::kPoint;
+  glm::vec3 intensity{1.0F};  ///< colour * intensity: candela (point, spot) or lux (directional)
+  glm::dvec3 position{0.0};
+  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit
+  double inner_cone_rad = 0.0;
+  double outer_cone_rad = 0.7853981633974483;
+};
+
+/// A sky: radiance (nits) blends from `horizon` to `zenith` above and is `ground` below.
+struct Environment {
+  glm::vec3 zenith{0.0F};
+  glm::vec3 horizon{0.0F};
+  glm::vec3 ground{0.0F};
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Image> images;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<CameraView> cameras;  ///< never empty after import: a camera is made where the file has none
+  std::vector<PunctualLight> lights;
+  std::optional<Environment> environment;
+  std::vector<std::string>
+      notes;  ///< what was ignored or approximated and why, a line each, for `vitrine info`
+};
+
+}  // namespace vitrine
