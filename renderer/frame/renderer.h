@@ -78,7 +78,7 @@ class BakedScene {
   BakedScene() = default;
 };
 
-/// Throws std::runtime_error with a remedy when the scene does not fit the number system.
+/// Throws InputError when the scene does not fit the number system.
 std::unique_ptr<const BakedScene> bake(const Scene& scene, Numbers numbers);
 
 }  // namespace vitrine

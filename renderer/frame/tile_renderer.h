@@ -39,7 +39,7 @@ class TileRenderer final : public Renderer {
     const typename N::Density factor = exposure_factor<N>(exposure, film.exponent());
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
-        const Rgb8 codes = tone_map<N>(film.at(x, y), factor, curve_);
+        const DisplayCode codes = tone_map<N>(film.at(x, y), factor, curve_);
         std::uint8_t* out = rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width()) +
                                        static_cast<std::size_t>(x));
         std::copy(codes.begin(), codes.end(), out);

@@ -21,11 +21,12 @@ using DisplayCurve = std::array<std::uint8_t, 1 << 14>;
 /// Built once, on the host.
 const DisplayCurve& srgb_display_curve();
 
-using Rgb8 = std::array<std::uint8_t, 3>;
+/// Red, green, blue as the display takes them.
+using DisplayCode = std::array<std::uint8_t, 3>;
 
 /// `exposure`: exposure_factor() of the film's exponent.
 template <class N>
-Rgb8 tone_map(const Film::Pixel& pixel, typename N::Density exposure, const DisplayCurve& curve) {
+DisplayCode tone_map(const Film::Pixel& pixel, typename N::Density exposure, const DisplayCurve& curve) {
   using Unit = typename N::Unit;
   using Radiance = typename N::Radiance;
   if (pixel.samples == 0) return {0, 0, 0};

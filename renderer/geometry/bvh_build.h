@@ -6,28 +6,9 @@
 #include <span>
 #include <vector>
 
-#include <glm/glm.hpp>
+#include "geometry/bounds.h"
 
 namespace vitrine {
-
-struct Bounds {
-  glm::dvec3 low{1e300};
-  glm::dvec3 high{-1e300};
-
-  void grow(const glm::dvec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  void grow(const Bounds& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-  }
-  /// Half the surface area; 0 for empty bounds.
-  [[nodiscard]] double half_area() const {
-    const glm::dvec3 d = glm::max(high - low, glm::dvec3(0.0));
-    return d.x * d.y + d.y * d.z + d.z * d.x;
-  }
-};
 
 struct BvhTree {
   struct Node {

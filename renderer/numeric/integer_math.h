@@ -39,7 +39,7 @@ inline constexpr auto kRsqrtTable = [] {
 
 }  // namespace detail
 
-/// 2^62 / m for m in [2^31, 2^32), in (2^30, 2^31]; relative error 2^-30.
+/// 2^62 / m for m in [2^31, 2^32), in [2^30, 2^31); relative error 1.001 * 2^-30.
 constexpr std::uint32_t reciprocal_mantissa(std::uint32_t m) {
   std::uint32_t r = detail::kReciprocalTable[(m >> 23) & 255U];
   for (int step = 0; step < 2; ++step) {  // r += r (1 - m r)
@@ -50,7 +50,7 @@ constexpr std::uint32_t reciprocal_mantissa(std::uint32_t m) {
   return r;
 }
 
-/// 2^46 / sqrt(m) for m in [2^30, 2^32): with m / 2^30 in [1, 4), 2^31 / sqrt(m / 2^30), in (2^30, 2^31);
+/// 2^46 / sqrt(m) for m in [2^30, 2^32): with m / 2^30 in [1, 4), 2^31 / sqrt(m / 2^30), in [2^30, 2^31);
 /// relative error 2^-29.
 constexpr std::uint32_t rsqrt_mantissa(std::uint32_t m) {
   std::uint32_t y = detail::kRsqrtTable[(m >> 23) - 128U];

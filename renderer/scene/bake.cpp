@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <stdexcept>
-#include <string>
-#include <tuple>
 
 #include "numeric/color.h"
 #include "numeric/fixed_numbers.h"
 #include "numeric/float_numbers.h"
 #include "numeric/host_conversion.h"
+#include "scene/framing.h"
+#include "scene/input_error.h"
 
 namespace vitrine {
 namespace {
@@ -31,14 +29,7 @@ struct Extent {
 };
 
 Extent measure(const Scene& scene) {
-  Bounds geometry;
-  for (const Instance& instance : scene.instances) {
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
-      for (const glm::vec3& p : primitive.positions) {
-        geometry.grow(glm::dvec3(instance.to_world * glm::dvec4(glm::dvec3(p), 1.0)));
-      }
-    }
-  }
+  const Bounds geometry = world_bounds(scene);
   Extent extent;
   extent.center = 0.5 * (geometry.low + geometry.high);
   double radius = 0.0;
@@ -58,12 +49,13 @@ Extent measure(const Scene& scene) {
     include(eye - film);
   }
   if (!std::isfinite(radius) || !(radius > 0.0)) {
-    throw std::runtime_error(
-        "the scene has no extent or an infinite one; check its positions and transforms");
+    throw InputError(scene.file, "", "the scene has no extent or an infinite one",
+                     "check its positions and transforms");
   }
   if (geometry_radius < radius * 0x1p-12) {
-    throw std::runtime_error(
-        "a camera or a light is more than 4096 times as far away as the geometry is large; move it closer");
+    throw InputError(scene.file, "",
+                     "a camera or a light is over 4096 times as far away as the geometry is large",
+                     "move it closer");
   }
   extent.radius = radius * 1.001;
   return extent;

@@ -8,7 +8,7 @@
 
 namespace vitrine {
 
-/// Instantiated for both number systems in bake.cpp. Throws std::runtime_error when the scene does not fit.
+/// Instantiated for both number systems in bake.cpp. Throws InputError when the scene does not fit.
 template <class N>
 World<N> bake_world(const Scene& scene);
 

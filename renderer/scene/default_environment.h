@@ -1,6 +1,6 @@
-// The sky over a scene that has no light of its own: no punctual light, no environment, no material that emits (a
-// textured emission of at most 1 nit is not counted). An evenly bright overcast with a slightly blue zenith and a warm
-// grey ground.
+// The sky over a scene that has no light of its own: no punctual light, no environment, no material that
+// emits (a textured emission of at most 1 nit is not counted). An evenly bright overcast with a slightly blue
+// zenith and a warm grey ground.
 #pragma once
 
 #include "scene/scene.h"

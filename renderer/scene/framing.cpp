@@ -12,9 +12,7 @@ Bounds world_bounds(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
       for (const glm::vec3& position : primitive.positions) {
-        const glm::dvec3 p(instance.to_world * glm::dvec4(position, 1.0));
-        bounds.min = glm::min(bounds.min, p);
-        bounds.max = glm::max(bounds.max, p);
+        bounds.grow(glm::dvec3(instance.to_world * glm::dvec4(position, 1.0)));
       }
     }
   }
@@ -26,8 +24,8 @@ CameraView framing_camera(const Bounds& bounds) {
   constexpr double kMargin = 1.05;
   const glm::dvec3 kTowardsViewer = glm::normalize(glm::dvec3(0.7, 0.45, 1.0));
 
-  const glm::dvec3 center = 0.5 * (bounds.min + bounds.max);
-  const double radius = 0.5 * glm::length(bounds.max - bounds.min);
+  const glm::dvec3 center = 0.5 * (bounds.low + bounds.high);
+  const double radius = 0.5 * glm::length(bounds.high - bounds.low);
   const double distance = kMargin * radius / std::sin(0.5 * kYfov_rad);
   CameraView view;
   view.name = "auto";

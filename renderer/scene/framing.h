@@ -2,16 +2,10 @@
 // holds the sphere around the scene's bounds, whatever the shape of the picture.
 #pragma once
 
-#include <limits>
-
+#include "geometry/bounds.h"
 #include "scene/scene.h"
 
 namespace vitrine {
-
-struct Bounds {
-  glm::dvec3 min{std::numeric_limits<double>::infinity()};
-  glm::dvec3 max{-std::numeric_limits<double>::infinity()};
-};
 
 /// The box around all instances, in world space, metres.
 Bounds world_bounds(const Scene& scene);

@@ -16,6 +16,8 @@ class GltfFile {
  public:
   explicit GltfFile(std::filesystem::path path) : path_(std::move(path)) {}
 
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
   struct Contents {
     std::string json_text;
     std::vector<unsigned char> binary_chunk;  ///< of a .glb; empty: none

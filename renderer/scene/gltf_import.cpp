@@ -1,3 +1,5 @@
+// The order of work: the checked model, where its nodes put things, the meshes that are shown with the
+// materials that they use, then what every scene must have in the end: triangles, bounds, a camera, light.
 #include "scene/gltf_import.h"
 
 #include <algorithm>
@@ -25,6 +27,7 @@ class GltfImport {
 
   Scene run() {
     GltfPlacements placements = place_gltf_nodes(gltf_, accessors_);
+    scene_.file = gltf_.file.path();
     scene_.name = scene_name();
     for (const auto& placed : placements.meshes) place_mesh(placed);
     if (triangles_ == 0) {
@@ -89,7 +92,7 @@ class GltfImport {
 
   Bounds checked_bounds() const {
     const Bounds bounds = world_bounds(scene_);
-    const glm::dvec3 farthest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
+    const glm::dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
     if (!(std::max({farthest.x, farthest.y, farthest.z}) <= gltf_limits::kMaxCoordinate_m)) {
       gltf_.file.refuse("/nodes", "a vertex lies farther than 1e9 m from the origin", "scale the scene down");
     }

@@ -108,6 +108,7 @@ struct Environment {
 };
 
 struct Scene {
+  std::string file;  ///< where it was read from, for messages
   std::string name;
   std::vector<Image> images;
   std::vector<Material> materials;
