@@ -1,0 +1,14 @@
+// "Did you mean ...?": the known name that is closest to a mistyped one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace vitrine {
+
+/// A remedy for an unknown name: "did you mean 'scene'?" when one of `known` is at most two edits away, else
+/// "known are a, b, c".
+[[nodiscard]] std::string name_remedy(std::string_view name, std::span<const std::string> known);
+
+}  // namespace vitrine
