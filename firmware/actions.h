@@ -1,0 +1,47 @@
+// What the buttons of the box do: one table from button to action, with the caption and the key that the
+// simulated box shows. To add a button, add a row in actions.cpp and say in kiosk.cpp what it does.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "buttons.h"
+
+namespace vitrine {
+
+enum class Action : std::uint8_t {
+  kNextScene,
+  kPreviousScene,
+  kNextMode,
+  kPreviousMode,
+  kNumbers,
+  kPause,
+  kBrighter,
+  kDarker,
+  kAutoExposure,
+  kHud,
+  kScreenshot,
+  kQuit,
+};
+
+struct ActionButton {
+  Action action;
+  std::string_view button;   ///< ButtonSpec::name
+  std::string_view caption;  ///< empty: not on the screen; a second key of a button above
+  std::string_view key;
+  std::string_view meaning;  ///< for the help
+};
+
+/// Every button, in the order of the simulated box.
+std::span<const ActionButton> action_buttons();
+
+/// The table as backends want it.
+std::vector<ButtonSpec> button_specs();
+
+/// What a button of that name does.
+std::optional<Action> find_action(std::string_view button);
+
+}  // namespace vitrine

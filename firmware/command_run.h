@@ -1,0 +1,27 @@
+// `vitrine run`: the box itself. Scenes on a display, changed by buttons.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "box_config.h"
+
+namespace vitrine {
+
+struct RunRequest {
+  std::vector<std::string> scenes;  ///< files and names; empty: the playlist
+  BoxConfig box;
+  std::optional<std::filesystem::path> config;  ///< for what `box` leaves open
+  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> frames;
+  std::optional<std::filesystem::path> script;
+  std::optional<std::filesystem::path> out;  ///< a PNG file; a folder for a tour of pictures
+  bool json = false;
+};
+
+int execute(const RunRequest& request);
+
+}  // namespace vitrine

@@ -1,0 +1,85 @@
+// The kiosk: buttons in, frames out. A press changes the label in the next frame, which is shown at once,
+// even in the middle of a pass; the picture follows when there is one.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "actions.h"
+#include "buttons.h"
+#include "clocks.h"
+#include "display.h"
+#include "exhibit.h"
+#include "frame_rate.h"
+#include "hud.h"
+
+namespace vitrine {
+
+struct KioskSettings {
+  ExhibitSettings exhibit;                                           ///< the display says its size
+  std::uint64_t frames = std::numeric_limits<std::uint64_t>::max();  ///< to present at most
+  std::filesystem::path screenshot_folder = ".";
+};
+
+/// How a session went, on the machine's clock.
+struct KioskReport {
+  std::uint64_t frames = 0;
+  double seconds = 0.0;
+  std::uint64_t presses = 0;
+  double slowest_press_ms = 0.0;  ///< from a press to the end of the present() that showed its label
+};
+
+class Kiosk {
+ public:
+  /// Live on `clock`, or, when `stepped` is given (the same clock), in steps of one sample a pixel and 1/60 s
+  /// a frame, which give the same frames on every machine. All references must outlive the kiosk.
+  Kiosk(Display& display, Buttons& buttons, const TimeSource& clock, SyntheticClock* stepped,
+        Workers& workers, LoadScene load, KioskSettings settings);
+
+  /// Runs until the button "quit", the last frame, or `stop`.
+  KioskReport run(const std::atomic<bool>& stop);
+
+  /// What the labels of the latest frame say.
+  [[nodiscard]] const HudState& hud() const { return hud_; }
+
+ private:
+  void take_presses();
+  void perform(Action action);
+  void save_screenshot();
+  /// Follows the display's size and the time.
+  void fit_display();
+  void live_step();
+  void stepped_step();
+  [[nodiscard]] HudState describe() const;
+  void present();
+
+  Display& display_;
+  Buttons& buttons_;
+  const TimeSource& clock_;
+  SyntheticClock* const stepped_;
+  const std::uint64_t last_frame_;
+  const std::filesystem::path screenshot_folder_;
+  Exhibit exhibit_;
+
+  bool quitting_ = false;
+  bool idle_ = false;  ///< nothing to do but to wait for a press
+  bool hud_on_ = true;
+  Clock::time_point labels_until_;  ///< a press shows the labels even when the HUD is off
+  std::string notice_;              ///< shown as long as they are
+  FrameRate frame_rate_;
+  std::uint64_t edition_ = 0;    ///< of the picture that exposing_ is about
+  Clock::duration exposing_{0};  ///< since it was asked for, pauses not counted
+  Clock::time_point ticked_;     ///< when exposing_ was brought up to date
+  HudState hud_;
+
+  // On the machine's clock:
+  Clock::time_point polled_;  ///< when the buttons were last known to be up to date
+  Clock::time_point presented_;
+  std::optional<Clock::time_point> unanswered_;  ///< the earliest press whose label was not shown yet
+  KioskReport report_;
+};
+
+}  // namespace vitrine
