@@ -10,7 +10,7 @@
 
 #include <stb_truetype.h>
 
-extern "C" const unsigned char vitrine_font[];  // font_data.S.in
+extern "C" const unsigned char vitrine_font[];  // NOLINT(readability-identifier-naming): font_data.S.in's name
 
 namespace vitrine {
 namespace {

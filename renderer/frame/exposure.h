@@ -38,7 +38,7 @@ Exposure meter_film(const Film& film) {
   using Unit = typename N::Unit;
   constexpr int kBins = 4 * 64;  // quarter stops; a film value spans fewer than 64 stops
   constexpr int kLowest = -4 * kFilmBits - 4;
-  constexpr int kMiddleGrey = -10;  // quarter stops: 0.177
+  constexpr int kMiddleGrey = -8;  // quarter stops: 0.25, which the tone curve takes to 0.2
   std::array<std::int64_t, kBins> histogram{};
   std::int64_t lit = 0;
   for (int y = 0; y < film.height(); ++y) {
@@ -61,9 +61,10 @@ Exposure meter_film(const Film& film) {
     passed += histogram[static_cast<std::size_t>(bin)];
     const std::int64_t inside = std::max<std::int64_t>(0, std::min(passed, (lit * 95 + 99) / 100) - from);
     counted += inside;
-    total += inside * (bin + kLowest);
+    total += inside * bin;
   }
-  return {kMiddleGrey - static_cast<int>(total / std::max<std::int64_t>(1, counted)) - 4 * film.exponent()};
+  const int middle = static_cast<int>(total / std::max<std::int64_t>(1, counted)) + kLowest;
+  return {kMiddleGrey - middle - 4 * film.exponent()};
 }
 
 }  // namespace vitrine

@@ -67,7 +67,10 @@ class Bsdf {
         surface.transmission == Transmission::kRefract && max_component(surface.transmit) > 0;
     exact_fresnel_ = refracts;
     has_specular_ = refracts || surface.f90 > 0;
-    const Unit reflected = has_specular_ ? luminance<Unit>(fresnel(wo.z)) : Unit(0);
+    Unit reflected = has_specular_ ? luminance<Unit>(fresnel(wo.z)) : Unit(0);
+    // Beyond the critical angle of its mean plane, a rough boundary still has facets that transmit.
+    constexpr Unit kMostReflected(0.875);
+    if (refracts && !surface.smooth && reflected > kMostReflected) reflected = kMostReflected;
     const Unit diffused = (1 - reflected) * luminance<Unit>(surface.diffuse);
     const Unit transmitted = (1 - reflected) * luminance<Unit>(surface.transmit);
     const Unit total = reflected + diffused + transmitted;
@@ -112,23 +115,24 @@ class Bsdf {
     return value;
   }
 
-  /// A direction by importance, or nothing when the light is absorbed. `choice` picks the lobe.
+  /// A direction by importance, or nothing when the light is absorbed. `choice` picks the lobe. What a rough
+  /// lobe sends to the wrong side is absorbed: the density of the other side's lobes does not count it.
   [[nodiscard]] std::optional<BsdfSample<N>> sample(Unit choice, Unit u, Unit v) const {
     if (choice < prob_reflect_) {
       if (surface_.smooth) return delta_reflection();
-      return weighed(sample_microfacet_reflection(ggx_, wo_, u, v));
+      return reflected(sample_microfacet_reflection(ggx_, wo_, u, v));
     }
     if (choice < prob_reflect_ + prob_transmit_) {
       if (surface_.smooth) return delta_transmission();
       if (surface_.transmission == Transmission::kRefract) {
         const auto wi = sample_microfacet_transmission(ggx_, surface_.eta, wo_, u, v);
-        return wi ? weighed(*wi) : std::nullopt;
+        return wi ? transmitted(*wi) : std::nullopt;
       }
       const Vec3<Unit> wi = sample_microfacet_reflection(ggx_, wo_, u, v);
-      return weighed(Vec3<Unit>(wi.x, wi.y, -wi.z));
+      return transmitted(Vec3<Unit>(wi.x, wi.y, -wi.z));
     }
     if (!(prob_diffuse_ > 0)) return std::nullopt;
-    return weighed(sample_lambert<N>(u, v));
+    return reflected(sample_lambert<N>(u, v));
   }
 
   /// One of the delta lobes; `choice` in [0, prob_delta()).
@@ -156,6 +160,12 @@ class Bsdf {
     const BsdfValue<N> value = eval(wi);
     if (!(value.pdf_w > 0)) return std::nullopt;
     return BsdfSample<N>{wi, value.f_cos / value.pdf_w, value.pdf_w, false};
+  }
+  [[nodiscard]] std::optional<BsdfSample<N>> reflected(const Vec3<Unit>& wi) const {
+    return wi.z > 0 ? weighed(wi) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<BsdfSample<N>> transmitted(const Vec3<Unit>& wi) const {
+    return wi.z < 0 ? weighed(wi) : std::nullopt;
   }
   [[nodiscard]] std::optional<BsdfSample<N>> delta_reflection() const {
     return BsdfSample<N>{Vec3<Unit>(-wo_.x, -wo_.y, wo_.z), delta_weight(fresnel(wo_.z), prob_reflect_),

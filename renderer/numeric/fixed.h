@@ -139,10 +139,10 @@ constexpr FixedUnit sqrt(FixedUnit x) {
 /// 1 / d of a direction's component, for slabs: a signed mantissa and a shift, since it may be far beyond any
 /// Fixed.
 struct FixedInverse {
-  std::int32_t mantissa;  ///< in +-[2^29, 2^30]
-  int shift;              ///< 1 / d = mantissa * 2^-shift
+  std::int32_t mantissa = 0;  ///< in +-[2^29, 2^30]
+  int shift = 0;              ///< 1 / d = mantissa * 2^-shift
 
-  constexpr explicit FixedInverse(FixedUnit d) : mantissa(0), shift(0) {
+  constexpr explicit FixedInverse(FixedUnit d) {
     // 0 is taken for the smallest Unit: any distance along it then saturates, which is what a slab needs.
     const auto m = static_cast<std::uint32_t>(d.raw == 0 ? 1 : detail::magnitude(d.raw));
     const int zeros = std::countl_zero(m);

@@ -34,14 +34,14 @@ struct FloatNumbers {
   }
   static constexpr float pixel_step(std::uint32_t count) { return 1.0F / static_cast<float>(count); }
 
-  static Inverse inverse(Unit d) {  // finite, so that a slab never sees 0 * infinity
+  static Inverse inverse(Unit d) {  // finite, so that a slab never sees 0 * infinity; -0 is not negative
     constexpr float kTiny = 1e-18F;
-    return 1.0F / (std::fabs(d) < kTiny ? std::copysign(kTiny, d) : d);
+    return 1.0F / (std::fabs(d) < kTiny ? (d < 0 ? -kTiny : kTiny) : d);
   }
 
   struct Cell {
     int index;
-    Unit fraction;  ///< in [0, 1)
+    Unit fraction;  ///< in [0, 1); just below 0 it rounds to 1
   };
   /// The integer below `x`, and the rest.
   static Cell cell(TexCoord x) {

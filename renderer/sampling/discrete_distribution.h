@@ -3,6 +3,8 @@
 // in both number systems.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -39,7 +41,8 @@ class DiscreteDistribution {
         small.push_back(above);
       }
     }
-    for (const std::uint32_t i : large) entries_[i] = {kAlways, i, {}};
+    for (const std::uint32_t i : large)
+      entries_[i] = {kAlways, i, {}};  // its own alias: the threshold is idle
     for (const std::uint32_t i : small) entries_[i] = {kAlways, i, {}};  // left over by rounding: they are 1
     compute_probabilities();
   }
@@ -49,7 +52,7 @@ class DiscreteDistribution {
   [[nodiscard]] std::uint32_t sample(std::uint32_t bits, std::uint32_t alias_bits) const {
     const auto i = static_cast<std::uint32_t>((std::uint64_t{bits} * entries_.size()) >> 32);
     const Entry& entry = entries_[i];
-    return alias_bits <= entry.threshold ? i : entry.alias;
+    return alias_bits < entry.threshold ? i : entry.alias;
   }
   [[nodiscard]] typename N::Density prob(std::uint32_t i) const { return entries_[i].prob; }
 
@@ -61,12 +64,15 @@ class DiscreteDistribution {
     typename N::Density prob{};
   };
 
-  static std::uint32_t quantized(double x) { return static_cast<std::uint32_t>(x * 4294967295.0); }
+  // Rounded up: what has a weight can be sampled, what has none cannot.
+  static std::uint32_t quantized(double x) {
+    return static_cast<std::uint32_t>(std::min(std::ceil(x * 0x1p32), 0x1p32 - 1.0));
+  }
 
   void compute_probabilities() {
     std::vector<double> prob(entries_.size(), 0.0);
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const double own = (static_cast<double>(entries_[i].threshold) + 1.0) * 0x1p-32;
+      const double own = static_cast<double>(entries_[i].threshold) * 0x1p-32;
       prob[i] += own;
       prob[entries_[i].alias] += 1.0 - own;
     }

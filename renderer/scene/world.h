@@ -54,8 +54,8 @@ struct World {
   double scale = 1.0;      ///< baked lengths per metre
 
   World() = default;
-  World(World&&) = default;
-  World& operator=(World&&) = default;
+  World(World&&) noexcept = default;
+  World& operator=(World&&) noexcept = default;
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 

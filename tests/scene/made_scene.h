@@ -11,16 +11,29 @@ namespace vitrine {
 
 /// A pure Lambert surface.
 inline Material matte(const glm::vec3& albedo) {
-  return {.base_color = albedo, .metallic = 0.0F, .specular = 0.0F};
+  Material material;
+  material.base_color = albedo;
+  material.metallic = 0.0F;
+  material.specular = 0.0F;
+  return material;
 }
 
 /// A black surface that emits `nits`.
 inline Material lamp(const glm::vec3& nits, bool double_sided = false) {
-  return {.base_color = glm::vec3(0.0F),
-          .metallic = 0.0F,
-          .emission = nits,
-          .double_sided = double_sided,
-          .specular = 0.0F};
+  Material material = matte(glm::vec3(0.0F));
+  material.emission = nits;
+  material.double_sided = double_sided;
+  return material;
+}
+
+/// The boundary of a solid of clear glass.
+inline Material glass() {
+  Material material;
+  material.metallic = 0.0F;
+  material.roughness = 0.0F;
+  material.transmission = 1.0F;
+  material.refracts = true;
+  return material;
 }
 
 /// The parallelogram corner + [0, 1] u + [0, 1] v, whose front is where u x v points; with normals.
@@ -47,7 +60,8 @@ inline Mesh mesh_of(const Quad& quad, int material) {
 }
 
 /// Adds a mesh of its own, and an instance of it.
-inline void place(Scene& scene, const Quad& quad, const Material& material, const glm::dmat4& to_world = glm::dmat4(1.0)) {
+inline void place(Scene& scene, const Quad& quad, const Material& material,
+                  const glm::dmat4& to_world = glm::dmat4(1.0)) {
   scene.materials.push_back(material);
   scene.meshes.push_back(mesh_of(quad, static_cast<int>(scene.materials.size()) - 1));
   scene.instances.push_back(
@@ -64,11 +78,23 @@ inline void place_room(Scene& scene, double half, const Material& material) {
       quad.corner[axis] = side * half;
       quad.u[(axis + (side < 0 ? 1 : 2)) % 3] = 2.0 * half;
       quad.v[(axis + (side < 0 ? 2 : 1)) % 3] = 2.0 * half;
-      room.primitives.push_back(mesh_of(quad, static_cast<int>(scene.materials.size()) - 1).primitives.front());
+      room.primitives.push_back(
+          mesh_of(quad, static_cast<int>(scene.materials.size()) - 1).primitives.front());
     }
   }
   scene.meshes.push_back(std::move(room));
   scene.instances.push_back({.name = "room", .mesh = static_cast<int>(scene.meshes.size()) - 1});
+}
+
+inline PunctualLight point_light(const glm::vec3& candela, const glm::dvec3& position) {
+  return {.name = "point", .intensity = candela, .position = position};
+}
+
+inline PunctualLight sun(const glm::vec3& lux, const glm::dvec3& direction) {
+  return {.name = "sun",
+          .kind = PunctualKind::kDirectional,
+          .intensity = lux,
+          .direction = glm::normalize(direction)};
 }
 
 inline CameraView look_at(const glm::dvec3& eye, const glm::dvec3& target, double yfov_rad = 0.8) {
@@ -76,9 +102,11 @@ inline CameraView look_at(const glm::dvec3& eye, const glm::dvec3& target, doubl
   const glm::dvec3 aside = std::abs(z.y) > 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
   const glm::dvec3 x = glm::normalize(glm::cross(aside, z));
   const glm::dvec3 y = glm::cross(z, x);
-  return {.name = "camera",
-          .to_world = glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0), glm::dvec4(eye, 1.0)),
-          .yfov_rad = yfov_rad};
+  CameraView view;
+  view.to_world =
+      glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0), glm::dvec4(eye, 1.0));
+  view.yfov_rad = yfov_rad;
+  return view;
 }
 
 /// An orthographic camera that sees a square of half a side `half` around `target`.

@@ -1,0 +1,124 @@
+// One seed, one picture, bit for bit: however many threads trace it, whatever the size of a wave, by either
+// driver, and however the picture is cut into tiles and ranges of samples. In fixed point the picture is also
+// the same on every processor and by every compiler.
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "integrators/film_hash.h"
+#include "statistics/picture.h"
+
+namespace vitrine {
+namespace {
+
+constexpr int kSize = 16;
+constexpr std::uint32_t kSamples = 4;
+
+struct Manner {
+  Driver driver = Driver::kWave;
+  int wave_size = 4096;
+  unsigned threads = 1;
+  int tile_width = kSize;
+  int tile_height = kSize;
+  std::uint32_t range = kSamples;  ///< samples a call
+  std::uint64_t seed = 1;
+};
+
+std::uint64_t render_hash(const BakedScene& scene, const Mode& mode, const Manner& manner) {
+  const auto renderer = scene.make_renderer({.mode = &mode,
+                                             .width = kSize,
+                                             .height = kSize,
+                                             .seed = manner.seed,
+                                             .driver = manner.driver,
+                                             .wave_size = manner.wave_size});
+  std::vector<Tile> tiles;
+  for (int y = 0; y < kSize; y += manner.tile_height) {
+    for (int x = 0; x < kSize; x += manner.tile_width) {
+      tiles.push_back(
+          {x, y, std::min(kSize, x + manner.tile_width), std::min(kSize, y + manner.tile_height)});
+    }
+  }
+  Film film = renderer->make_film();
+  const std::atomic<bool> cancel{false};
+  for_each_on(manner.threads, static_cast<int>(tiles.size()), [&](int i) {
+    for (std::uint32_t first = 0; first < kSamples; first += manner.range) {
+      renderer->trace(tiles[static_cast<std::size_t>(i)], {first, std::min(manner.range, kSamples - first)},
+                      film, cancel);
+    }
+  });
+  return film_hash(film);
+}
+
+class Determinism : public testing::TestWithParam<Numbers> {
+ protected:
+  /// Every mode, on a scene with diffuse surfaces, mirrors and glass and on one with lights of every kind.
+  template <class Test>
+  void for_each_scene_and_mode(const Test& test) {
+    for (const char* name : {"cornell-spheres", "gallery"}) {
+      const auto scene = bake(project_scene(name), GetParam());
+      for (const Mode& mode : modes()) {
+        SCOPED_TRACE(std::string(name) + ' ' + std::string(mode.key));
+        test(*scene, mode, render_hash(*scene, mode, {}));
+      }
+    }
+  }
+};
+
+TEST_P(Determinism, AnyNumberOfThreads) {
+  for_each_scene_and_mode([](const BakedScene& scene, const Mode& mode, std::uint64_t hash) {
+    for (const unsigned threads : {1U, 2U, 7U}) {
+      EXPECT_EQ(render_hash(scene, mode, {.threads = threads, .tile_width = 5, .tile_height = 3}), hash)
+          << threads;
+    }
+  });
+}
+
+TEST_P(Determinism, AnyWaveSizeAndBothDrivers) {
+  for_each_scene_and_mode([](const BakedScene& scene, const Mode& mode, std::uint64_t hash) {
+    for (const int wave_size : {1, 7, 64, 4096}) {
+      EXPECT_EQ(render_hash(scene, mode, {.wave_size = wave_size}), hash) << wave_size;
+    }
+    EXPECT_EQ(render_hash(scene, mode, {.driver = Driver::kPath}), hash);
+  });
+}
+
+TEST_P(Determinism, AnyTilesAndRangesOfSamples) {
+  for_each_scene_and_mode([](const BakedScene& scene, const Mode& mode, std::uint64_t hash) {
+    EXPECT_EQ(render_hash(scene, mode, {.tile_width = 1, .tile_height = 16}), hash);
+    EXPECT_EQ(render_hash(scene, mode, {.tile_width = 7, .tile_height = 5}), hash);
+    for (const std::uint32_t range : {1U, 2U, 3U}) {
+      EXPECT_EQ(render_hash(scene, mode, {.wave_size = 50, .range = range}), hash) << range;
+    }
+  });
+}
+
+TEST_P(Determinism, AnotherSeedIsAnotherPicture) {
+  for_each_scene_and_mode([](const BakedScene& scene, const Mode& mode, std::uint64_t hash) {
+    EXPECT_NE(render_hash(scene, mode, {.seed = 2}), hash);
+    EXPECT_NE(render_hash(scene, mode, {.seed = std::uint64_t{1} << 32 | 1U}), hash);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Numbers, Determinism, testing::Values(Numbers::kFloat, Numbers::kFixed),
+                         [](const auto& test) { return std::string(numbers_name(test.param)); });
+
+// If a change of the renderer is meant to change its pictures, the constants change with it; if not, it broke
+// something.
+TEST(FixedPoint, HasTheSamePictureEverywhere) {
+  const std::map<std::string_view, std::uint64_t> golden{
+      {"basic", 0x97f7504bb2640dc4U}, {"nee", 0x379810a5651468c7U}, {"mis", 0x723e838205c60774U}};
+  const auto scene = bake(project_scene("cornell"), Numbers::kFixed);
+  for (const Mode& mode : modes()) {
+    ASSERT_TRUE(golden.contains(mode.key)) << "no constant for mode " << mode.key;
+    const std::uint64_t hash = render_hash(*scene, mode, {});
+    EXPECT_EQ(hash, golden.at(mode.key)) << mode.key << std::hex << ": 0x" << hash << 'U';
+  }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,51 @@
+// Irradiance in closed form: what a renderer's pictures of a lit plane are held against.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "scene/scene.h"
+
+namespace vitrine {
+
+/// Of a polygon of radiance 1 on the point p with normal n, all of it above p's horizon (Lambert 1760):
+/// 1/2 sum over the edges of the angle that it subtends times the cosine between n and its plane's normal.
+inline double polygon_irradiance(std::span<const glm::dvec3> corners, const glm::dvec3& p,
+                                 const glm::dvec3& n) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 a = glm::normalize(corners[i] - p);
+    const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()] - p);
+    const glm::dvec3 across = glm::cross(a, b);
+    sum += std::atan2(glm::length(across), glm::dot(a, b)) * glm::dot(n, glm::normalize(across));
+  }
+  return std::abs(sum) / 2.0;
+}
+
+/// Of a punctual light, by KHR_lights_punctual: I cos / d^2 times the falloff of a spot; lux cos.
+inline glm::dvec3 punctual_irradiance(const PunctualLight& light, const glm::dvec3& p, const glm::dvec3& n) {
+  const glm::dvec3 intensity(light.intensity);
+  if (light.kind == PunctualKind::kDirectional)
+    return intensity * std::max(0.0, -glm::dot(light.direction, n));
+  const glm::dvec3 to_light = light.position - p;
+  const glm::dvec3 wi = glm::normalize(to_light);
+  double falloff = std::max(0.0, glm::dot(wi, n)) / glm::dot(to_light, to_light);
+  if (light.kind == PunctualKind::kSpot) {
+    const double cos_outer = std::cos(light.outer_cone_rad);
+    const double cos_inner = std::cos(light.inner_cone_rad);
+    const double ramp =
+        std::clamp((-glm::dot(wi, light.direction) - cos_outer) / (cos_inner - cos_outer), 0.0, 1.0);
+    falloff *= ramp * ramp;
+  }
+  return intensity * falloff;
+}
+
+/// Of a sky on the ground: 2 pi times the integral over the cosine c of (horizon (1 - c) + zenith c) c.
+inline glm::dvec3 sky_irradiance(const Environment& sky) {
+  const glm::dvec3 horizon(sky.horizon);
+  return 2.0 * std::numbers::pi * (horizon / 2.0 + (glm::dvec3(sky.zenith) - horizon) / 3.0);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,3 @@
+#include "numeric/fixed.h"
+
+const vitrine::FixedUnit kFour(4.0);

@@ -1,0 +1,3 @@
+#include "numeric/fixed.h"
+
+vitrine::FixedUnit half(double x) { return vitrine::FixedUnit(x); }

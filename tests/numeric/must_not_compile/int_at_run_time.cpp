@@ -1,0 +1,3 @@
+#include "numeric/fixed.h"
+
+vitrine::FixedUnit whole(int x) { return x; }

@@ -1,0 +1,3 @@
+#include "numeric/wide.h"
+
+const vitrine::Wide kNegative(-1.0);

@@ -1,0 +1,3 @@
+#include "numeric/wide.h"
+
+vitrine::Wide wide(double x) { return vitrine::Wide(x); }
