@@ -10,7 +10,8 @@
 
 #include <stb_truetype.h>
 
-extern "C" const unsigned char vitrine_font[];  // NOLINT(readability-identifier-naming): font_data.S.in's name
+// NOLINTNEXTLINE(readability-identifier-naming): the name in font_data.S.in
+extern "C" const unsigned char vitrine_font[];
 
 namespace vitrine {
 namespace {

@@ -1,3 +1,3 @@
 #include "numeric/fixed.h"
 
-const vitrine::FixedUnit kFour(4.0);
+vitrine::FixedUnit four() { return vitrine::FixedUnit(4.0); }

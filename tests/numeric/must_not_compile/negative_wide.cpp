@@ -1,3 +1,3 @@
 #include "numeric/wide.h"
 
-const vitrine::Wide kNegative(-1.0);
+vitrine::Wide negative() { return vitrine::Wide(-1.0); }
