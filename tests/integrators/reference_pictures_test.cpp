@@ -2,6 +2,7 @@
 // missing bounce, and the means of 16x16 blocks, which show local bias under the noise. The pictures are not
 // part of the project; they are looked for in the folder that the environment variable VITRINE_SHARED names.
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -63,12 +64,13 @@ struct Case {
   std::string scene;
   Numbers numbers;
   std::string mode;
+  std::uint32_t samples;
 };
 
 class ReferencePictures : public testing::TestWithParam<Case> {};
 
 TEST_P(ReferencePictures, AreMatched) {
-  const auto& [name, numbers, key] = GetParam();
+  const auto& [name, numbers, key, samples] = GetParam();
   const std::filesystem::path file = shared_folder() / "scenes" / (name + ".gltf");
   const std::filesystem::path picture = shared_folder() / "references" / (name + ".pfm");
   if (!std::filesystem::exists(file) || !std::filesystem::exists(picture)) {
@@ -77,16 +79,14 @@ TEST_P(ReferencePictures, AreMatched) {
   }
   const Scene scene = import_gltf(file);
   const Mode& mode = *find_mode(key);
-  if (!can_render(mode, scene)) GTEST_SKIP() << "a light without extent is never met by chance";
   const Pfm reference = read_pfm(picture);
   const auto baked = bake(scene, numbers);
   const auto renderer =
       baked->make_renderer({.mode = &mode, .width = reference.width, .height = reference.height, .seed = 1});
-  const std::uint32_t samples = mode.direct == DirectLight::kByChance ? 1024 : 256;
   Film film = renderer->make_film();
   const std::atomic<bool> cancel{false};
   for_each_on_all_cores(reference.height, [&](int y) {
-    renderer->trace({0, y, reference.width, y + 1}, {0, samples}, film, cancel);
+    renderer->trace({0, y, reference.width, y + 1}, {0, GetParam().samples}, film, cancel);
   });
   const Comparison found = compare(film, reference);
   std::cout << "  mean ratio " << found.mean_ratio.x << ' ' << found.mean_ratio.y << ' ' << found.mean_ratio.z
@@ -95,11 +95,22 @@ TEST_P(ReferencePictures, AreMatched) {
   EXPECT_LE(found.block_rms, 0.02);
 }
 
+// By chance alone the noise of a block needs more samples; in fixed point that takes too long even for a slow
+// test.
 std::vector<Case> cases() {
+  struct Row {
+    const char* scene;
+    std::uint32_t samples_by_chance;  ///< 0: a light without extent is never met
+  };
   std::vector<Case> all;
-  for (const char* scene : {"cornell", "furnace", "quadlight", "pointplane"}) {
+  for (const auto& [scene, by_chance] :
+       {Row{"cornell", 4096}, Row{"furnace", 256}, Row{"quadlight", 2048}, Row{"pointplane", 0}}) {
     for (const Numbers numbers : {Numbers::kFloat, Numbers::kFixed}) {
-      for (const Mode& mode : modes()) all.push_back({scene, numbers, std::string(mode.key)});
+      for (const Mode& mode : modes()) {
+        const bool chance = mode.direct == DirectLight::kByChance;
+        if (chance && (numbers == Numbers::kFixed || by_chance == 0)) continue;
+        all.push_back({scene, numbers, std::string(mode.key), chance ? by_chance : 256});
+      }
     }
   }
   return all;
