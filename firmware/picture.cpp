@@ -7,7 +7,8 @@
 namespace vitrine {
 namespace {
 
-/// Small enough that the last tiles keep all threads busy, large enough to fill a wave.
+/// Small enough that the last tiles keep all threads busy and a press is answered soon, large enough that a
+/// sample a pixel makes a wave of a thousand.
 constexpr int kTileSize = 32;
 
 std::vector<Tile> cut_into_tiles(int width, int height) {

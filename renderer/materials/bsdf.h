@@ -84,7 +84,6 @@ class Bsdf {
     }
   }
 
-  [[nodiscard]] const Vec3<Unit>& wo() const { return wo_; }
   /// Whether anything scatters other than by delta lobes, and whether some of it goes through.
   [[nodiscard]] bool is_rough() const {
     return prob_diffuse_ > 0 || (!surface_.smooth && prob_reflect_ + prob_transmit_ > 0);

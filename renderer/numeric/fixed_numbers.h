@@ -2,7 +2,6 @@
 // on every machine: all integers from the random number to the film.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <optional>
 

@@ -3,10 +3,8 @@
 // instantiation must always be built too: only that one catches a mistake of units.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "numeric/vec.h"
