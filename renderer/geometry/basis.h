@@ -20,6 +20,7 @@ class Basis {
     t_ = {xy, sign + n.y * n.y * a, -n.y};
   }
 
+  [[nodiscard]] const Vec3<Unit>& normal() const { return n_; }
   [[nodiscard]] Vec3<Unit> to_local(const Vec3<Unit>& v) const {
     return {dot(v, s_), dot(v, t_), dot(v, n_)};
   }
