@@ -23,6 +23,11 @@ struct FixedNumbers {
   static constexpr Unit unit_from_bits(std::uint32_t bits) {
     return Unit::from_raw(static_cast<std::int32_t>(bits >> (32 - kUnitBits)));
   }
+  template <int B>
+  static constexpr std::uint32_t bits_of(Fixed<B> x) {
+    return static_cast<std::uint32_t>(x.raw);
+  }
+  static constexpr Density density_from_count(std::uint32_t n) { return Wide::normalized(n, 0); }
   /// For counts up to 2^15: index and u make a number of 31 bits, the step has a resolution of 2^-45.
   static constexpr Unit pixel_coordinate(std::uint32_t index, Unit u, std::uint64_t step) {
     const std::uint64_t position =
@@ -44,6 +49,13 @@ struct FixedNumbers {
   }
   static constexpr Cell texel(Unit x, int size) {
     const std::int64_t position = std::int64_t{x.raw} * size - (std::int64_t{1} << (kUnitBits - 1));
+    const std::int64_t index = position >> kUnitBits;
+    return {static_cast<int>(index),
+            Unit::from_raw(static_cast<std::int32_t>(position - (index << kUnitBits)))};
+  }
+
+  static constexpr Cell grid_cell(Unit x, int cells) {
+    const std::int64_t position = std::int64_t{x.raw} * cells;
     const std::int64_t index = position >> kUnitBits;
     return {static_cast<int>(index),
             Unit::from_raw(static_cast<std::int32_t>(position - (index << kUnitBits)))};

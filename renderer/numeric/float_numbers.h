@@ -3,6 +3,7 @@
 // instantiation must always be built too: only that one catches a mistake of units.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -26,6 +27,9 @@ struct FloatNumbers {
   static constexpr Unit unit_from_bits(std::uint32_t bits) {
     return static_cast<float>(bits >> 8) * 0x1p-24F;
   }
+  /// The number's representation, for hashing.
+  static constexpr std::uint32_t bits_of(float x) { return std::bit_cast<std::uint32_t>(x); }
+  static constexpr Density density_from_count(std::uint32_t n) { return static_cast<float>(n); }
   /// (index + u) / count, where `inverse_count` is pixel_step(count).
   static constexpr Unit pixel_coordinate(std::uint32_t index, Unit u, float step) {
     return (static_cast<float>(index) + u) * step;
@@ -50,6 +54,9 @@ struct FloatNumbers {
   }
   /// Where x in [0, 1] lies between the centres of `size` texels.
   static Cell texel(Unit x, int size) { return cell(x * static_cast<float>(size) - 0.5F); }
+
+  /// Which of `cells` equal parts of [0, 1] holds x, and where in it; cell `cells` for 1.
+  static Cell grid_cell(Unit x, int cells) { return cell(x * static_cast<float>(cells)); }
 
   /// x in [0, 1] as one of steps + 1 integers, rounded to nearest.
   static constexpr int quantize(Unit x, int steps) {

@@ -99,6 +99,25 @@ constexpr Wide operator*(Wide a, FixedUnit b) { return a * Wide(b); }
 constexpr Wide operator*(FixedUnit a, Wide b) { return Wide(a) * b; }
 constexpr Wide operator/(Wide a, FixedUnit b) { return a / Wide(b); }
 
+/// a - b, or zero where that would be negative.
+constexpr Wide excess(Wide a, Wide b) {
+  if (!(a > b)) return Wide::zero();
+  const std::int32_t shift = a.exponent - b.exponent;
+  if (shift > 31) return a;
+  const std::uint64_t difference =
+      (std::uint64_t{a.mantissa} << 31) - ((std::uint64_t{b.mantissa} << 31) >> shift);
+  return Wide::normalized(difference, a.exponent - 31);
+}
+
+/// Relative error 2^-29.
+constexpr Wide sqrt(Wide x) {
+  if (x.mantissa == 0) return x;
+  const bool odd = (x.exponent & 1) != 0;  // a root of a power of two asks for an even exponent
+  const std::uint32_t mantissa = odd ? x.mantissa >> 1 : x.mantissa;
+  const std::int32_t exponent = odd ? x.exponent + 1 : x.exponent;
+  return Wide::normalized(std::uint64_t{mantissa} * rsqrt_mantissa(mantissa), exponent / 2 - 46);
+}
+
 /// False for what a division by zero led to: no honest quantity of a scene reaches 2^1000.
 constexpr bool is_finite(Wide x) { return x.exponent < 1000; }
 

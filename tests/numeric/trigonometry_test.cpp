@@ -7,6 +7,7 @@
 
 #include "number_systems.h"
 #include "numeric/host_conversion.h"
+#include "statistics/random_inputs.h"
 
 namespace vitrine {
 namespace {
@@ -37,6 +38,45 @@ TYPED_TEST(TrigonometryTest, QuarterTurns) {
     const SinCos<Unit> result = sincos_turns(TypeParam::unit_from_bits(quarter << 30));
     EXPECT_NEAR(to_host(result.sin), sines[quarter], tolerance);
     EXPECT_NEAR(to_host(result.cos), sines[(quarter + 1) % 4], tolerance);
+  }
+}
+
+double exact_turns(double y, double x) { return std::atan2(y, x) / (2.0 * std::numbers::pi); }
+
+TYPED_TEST(TrigonometryTest, ArcTangentAllAround) {
+  using Unit = typename TypeParam::Unit;
+  RandomInputs random(1);
+  double worst = 0.0;
+  for (int i = 0; i < 300000; ++i) {
+    const double angle = random.uniform(-std::numbers::pi, std::numbers::pi);
+    const double radius = random.uniform(0.5, 1.9);
+    const auto x = from_host<Unit>(radius * std::cos(angle));
+    const auto y = from_host<Unit>(radius * std::sin(angle));
+    worst = std::max(worst, std::abs(to_host(atan2_turns(y, x)) - exact_turns(to_host(y), to_host(x))));
+  }
+  EXPECT_LE(worst, 4e-11 + bound<TypeParam>(3 * 0x1p-26, 4 * 0x1p-30));
+}
+
+// Slopes from a Unit's resolution on keep their digits: the error is relative, in float, or a rounding.
+TYPED_TEST(TrigonometryTest, ArcTangentOfSmallSlopes) {
+  using Unit = typename TypeParam::Unit;
+  RandomInputs random(2);
+  for (int i = 0; i < 100000; ++i) {
+    const auto y = from_host<Unit>(random.log_uniform(1e-8, 1.0));
+    const auto x = from_host<Unit>(random.uniform(0.9, 1.0));
+    const double exact = exact_turns(to_host(y), to_host(x));
+    ASSERT_NEAR(to_host(atan2_turns(y, x)), exact, bound<TypeParam>(4e-7 * exact, 3 * 0x1p-30));
+  }
+}
+
+TYPED_TEST(TrigonometryTest, ArcTangentOnTheAxesAndDiagonals) {
+  using Unit = typename TypeParam::Unit;
+  const double tolerance = bound<TypeParam>(0x1p-25, 0x1p-29);
+  for (const double y : {-1.0, 0.0, 1.0}) {
+    for (const double x : {-1.0, 0.0, 1.0}) {
+      const double exact = y == 0.0 && x == 0.0 ? 0.0 : exact_turns(y, x);
+      EXPECT_NEAR(to_host(atan2_turns(from_host<Unit>(y), from_host<Unit>(x))), exact, tolerance) << y << x;
+    }
   }
 }
 

@@ -132,5 +132,33 @@ TEST(WideTest, BecomesTheNearestFixed) {
   EXPECT_EQ(FixedUnit(Wide(1e-300)).raw, 0);
 }
 
+TEST(WideTest, ExcessIsADifferenceThatStopsAtZero) {
+  RandomInputs random(11);
+  for (int i = 0; i < 100000; ++i) {
+    const Wide a = random_wide(random, 8);
+    const Wide b = random_wide(random, 8);
+    const long double expected = exact(a) > exact(b) ? exact(a) - exact(b) : 0.0L;
+    ASSERT_LE(std::abs(exact(excess(a, b)) - expected), 0x1p-30L * exact(a));
+  }
+  EXPECT_EQ(excess(Wide(3), Wide(1)), Wide(2));
+  EXPECT_EQ(excess(Wide(1), Wide(3)), Wide::zero());
+  EXPECT_EQ(excess(Wide(3), Wide(3)), Wide::zero());
+  EXPECT_EQ(excess(Wide(3), Wide::zero()), Wide(3));
+  EXPECT_EQ(excess(Wide(1), Wide(0x1p-40)), Wide(1));
+}
+
+TEST(WideTest, SquareRoots) {
+  RandomInputs random(12);
+  for (int i = 0; i < 100000; ++i) {
+    const Wide x = random_wide(random);
+    const Wide root = sqrt(x);
+    ASSERT_TRUE(is_normal(root));
+    ASSERT_LE(std::abs(exact(root) / std::sqrt(exact(x)) - 1.0L), 0x1p-29L)
+        << x.mantissa << ' ' << x.exponent;
+  }
+  EXPECT_EQ(sqrt(Wide::zero()), Wide::zero());
+  EXPECT_NEAR(static_cast<double>(exact(sqrt(Wide(16)))), 4.0, 4.0 * 0x1p-29);
+}
+
 }  // namespace
 }  // namespace vitrine
