@@ -1,6 +1,6 @@
-// A discrete distribution by Vose's alias method (1991): one table look-up a sample. Probabilities are
-// integers of 2^-32, and prob() tells the probability that is really sampled, so that dividing by it is exact
-// in both number systems.
+// A discrete distribution by Vose's alias method (1991): one 32-bit number and one table look-up a sample.
+// prob() tells the probability that is really sampled, the share of all 2^32 numbers that lead there, so that
+// dividing by it is exact in both number systems.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class DiscreteDistribution {
       const std::uint32_t below = small.back();
       small.pop_back();
       const std::uint32_t above = large.back();
-      entries_[below] = {quantized(scaled[below]), above, {}};
+      entries_[below] = {threshold(scaled[below]), above, {}};
       scaled[above] -= 1.0 - scaled[below];
       if (scaled[above] < 1.0) {
         large.pop_back();
@@ -44,15 +44,17 @@ class DiscreteDistribution {
     for (const std::uint32_t i : large)
       entries_[i] = {kAlways, i, {}};  // its own alias: the threshold is idle
     for (const std::uint32_t i : small) entries_[i] = {kAlways, i, {}};  // left over by rounding: they are 1
-    compute_probabilities();
+    count_probabilities();
   }
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(entries_.size()); }
-  /// The outcome for 64 random bits; the first 32 choose the entry, the second its alias.
-  [[nodiscard]] std::uint32_t sample(std::uint32_t bits, std::uint32_t alias_bits) const {
-    const auto i = static_cast<std::uint32_t>((std::uint64_t{bits} * entries_.size()) >> 32);
+  /// The outcome for 32 random bits. Their product with the number of entries is an entry (the high word) and
+  /// what decides between it and its alias (the low word).
+  [[nodiscard]] std::uint32_t sample(std::uint32_t bits) const {
+    const std::uint64_t product = std::uint64_t{bits} * entries_.size();
+    const auto i = static_cast<std::uint32_t>(product >> 32);
     const Entry& entry = entries_[i];
-    return alias_bits < entry.threshold ? i : entry.alias;
+    return static_cast<std::uint32_t>(product) < entry.threshold ? i : entry.alias;
   }
   [[nodiscard]] typename N::Density prob(std::uint32_t i) const { return entries_[i].prob; }
 
@@ -64,20 +66,28 @@ class DiscreteDistribution {
     typename N::Density prob{};
   };
 
-  // Rounded up: what has a weight can be sampled, what has none cannot.
-  static std::uint32_t quantized(double x) {
-    return static_cast<std::uint32_t>(std::min(std::ceil(x * 0x1p32), 0x1p32 - 1.0));
+  // What has a weight can be sampled, what has none cannot: the low words of an entry are less than the
+  // number of entries apart.
+  [[nodiscard]] std::uint32_t threshold(double x) const {
+    if (!(x > 0.0)) return 0;
+    return static_cast<std::uint32_t>(
+        std::clamp(std::ceil(x * 0x1p32), static_cast<double>(entries_.size()), 0x1p32 - 1.0));
   }
 
-  void compute_probabilities() {
-    std::vector<double> prob(entries_.size(), 0.0);
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const double own = static_cast<double>(entries_[i].threshold) * 0x1p-32;
-      prob[i] += own;
-      prob[entries_[i].alias] += 1.0 - own;
+  void count_probabilities() {
+    const std::uint64_t n = entries_.size();
+    std::vector<std::uint64_t> ways(n, 0);  // of 2^32
+    for (std::uint64_t i = 0; i < n; ++i) {
+      const auto first_of = [&](std::uint64_t entry) { return ((entry << 32) + n - 1) / n; };
+      const std::uint64_t all = first_of(i + 1) - first_of(i);
+      const std::uint64_t first_word = first_of(i) * n - (i << 32);
+      const std::uint64_t limit = entries_[i].threshold;
+      const std::uint64_t own = first_word < limit ? (limit - 1 - first_word) / n + 1 : 0;
+      ways[i] += own;
+      ways[entries_[i].alias] += all - own;
     }
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      entries_[i].prob = from_host<typename N::Density>(prob[i] / static_cast<double>(entries_.size()));
+    for (std::uint64_t i = 0; i < n; ++i) {
+      entries_[i].prob = from_host<typename N::Density>(static_cast<double>(ways[i]) * 0x1p-32);
     }
   }
 

@@ -39,7 +39,7 @@ template <class N>
 class DiscreteDistributionTest : public testing::Test {};
 TYPED_TEST_SUITE(DiscreteDistributionTest, NumberSystems, NumberSystemNames);
 
-// A probability is a multiple of 2^-32, so it may be off by as much.
+// A probability is a multiple of 2^-32, and so is each entry's part in it: it may be off by a few of them.
 TYPED_TEST(DiscreteDistributionTest, ProbabilitiesAreTheWeights) {
   for (const std::vector<double>& weights : weight_lists()) {
     const DiscreteDistribution<TypeParam> distribution(weights);
@@ -52,7 +52,7 @@ TYPED_TEST(DiscreteDistributionTest, ProbabilitiesAreTheWeights) {
     for (std::uint32_t i = 0; i < weights.size(); ++i) {
       const double prob = to_host(distribution.prob(i));
       const double exact = weights[i] / largest / total;
-      EXPECT_NEAR(prob, exact, 0x1p-32 + exact * bound<TypeParam>(0x1p-23, 0x1p-30))
+      EXPECT_NEAR(prob, exact, 8 * 0x1p-32 + exact * bound<TypeParam>(0x1p-23, 0x1p-30))
           << i << " of " << weights.size();
       EXPECT_EQ(prob > 0.0, weights[i] > 0.0) << i << " of " << weights.size();
       sum += prob;
@@ -69,30 +69,45 @@ TYPED_TEST(DiscreteDistributionTest, SamplesByItsProbabilities) {
       expected.push_back(to_host(distribution.prob(i)) * kSamples);
     std::vector<std::uint64_t> observed(weights.size(), 0);
     for (std::uint32_t i = 0; i < kSamples; ++i) {
-      Sampler sampler(3, i, 0, 0);
-      const std::uint32_t bits = sampler.next_bits();
-      const std::uint32_t alias_bits = sampler.next_bits();
-      ++observed[distribution.sample(bits, alias_bits)];
+      Sampler sampler(Sequence::kRandom, 3, i, 0, 0);
+      ++observed[distribution.sample(sampler.next_bits())];
     }
     EXPECT_GT(chi_square(expected, observed).p_value, sidak(kComparisons)) << weights.size();
   }
 }
 
-// Counted without chance: every value of the second number that matters, for every entry.
+// The numbers about every border between two outcomes.
 TYPED_TEST(DiscreteDistributionTest, WithoutWeightIsNeverSampled) {
-  const DiscreteDistribution<TypeParam> distribution(std::vector<double>{0.0, 2.0, 0.0, 1.0});
-  for (const std::uint32_t alias_bits : {0U, 1U, 0x7fffffffU, 0x80000000U, 0xffffffffU}) {
-    for (std::uint32_t entry = 0; entry < 4; ++entry) {
-      const std::uint32_t outcome = distribution.sample(entry << 30, alias_bits);
-      EXPECT_TRUE(outcome == 1 || outcome == 3) << entry << ' ' << alias_bits;
+  const DiscreteDistribution<TypeParam> distribution(std::vector<double>{0.0, 2.0, 0.0, 1.0, 0.0});
+  for (std::uint64_t part = 0; part <= 15; ++part) {
+    for (std::uint64_t off = 0; off < 2000; ++off) {
+      const auto bits = static_cast<std::uint32_t>((part << 32) / 15 + off - 1000);
+      const std::uint32_t outcome = distribution.sample(bits);
+      EXPECT_TRUE(outcome == 1 || outcome == 3) << bits;
     }
+  }
+}
+
+// Where a step of one in 32 bits matters: probabilities are the number of ways, counted one by one.
+TYPED_TEST(DiscreteDistributionTest, ProbabilitiesCountTheWays) {
+  std::vector<double> weights(3000, 1e-12);
+  weights[7] = 1.0;
+  const DiscreteDistribution<TypeParam> distribution(weights);
+  for (const std::uint32_t rare : {0U, 8U, 2999U}) {
+    const std::uint64_t first = (std::uint64_t{rare} << 32) / 3000;
+    double ways = 0;
+    for (std::uint64_t bits = first; bits <= first + 5; ++bits) {
+      if (distribution.sample(static_cast<std::uint32_t>(bits)) == rare) ++ways;
+    }
+    EXPECT_GE(ways, 1.0);
+    EXPECT_EQ(to_host(distribution.prob(rare)), ways * 0x1p-32);
   }
 }
 
 TYPED_TEST(DiscreteDistributionTest, OfOneIsCertain) {
   const DiscreteDistribution<TypeParam> distribution(std::vector<double>{0.3});
   EXPECT_EQ(to_host(distribution.prob(0)), 1.0);
-  EXPECT_EQ(distribution.sample(0xffffffffU, 0xffffffffU), 0U);
+  EXPECT_EQ(distribution.sample(0xffffffffU), 0U);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// The numbers of one stream are uniform, and so are pairs: two dimensions of a sample, the same dimension of
-// two samples, pixels or seeds that are neighbours.
+// Independent random numbers: those of one stream are uniform, and so are pairs: two dimensions of a sample,
+// the same dimension of two samples, pixels or seeds that are neighbours. The other sequences:
+// sequence_test.cpp.
 #include "sampling/sampler.h"
 
 #include <array>
@@ -19,6 +20,10 @@ namespace {
 constexpr std::uint32_t kDraws = 100000;
 constexpr std::uint32_t kDimensions = 32;
 constexpr int kComparisons = 2 * static_cast<int>(kDimensions) + 4 * 3;
+
+Sampler random_sampler(std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+  return {Sequence::kRandom, seed, x, y, sample};
+}
 
 std::uint32_t dimension(Sampler sampler, std::uint32_t index) {
   for (std::uint32_t i = 0; i < index; ++i) sampler.next_bits();
@@ -43,7 +48,7 @@ using Bits = std::pair<std::uint32_t, std::uint32_t>;
 TEST(SamplerTest, EveryDimensionIsUniform) {
   std::vector<std::vector<std::uint64_t>> counts(kDimensions, std::vector<std::uint64_t>(256, 0));
   for (std::uint32_t i = 0; i < kDraws; ++i) {
-    Sampler sampler(1, i % 300, i / 300, 0);
+    Sampler sampler(Sequence::kRandom, 1, i % 300, i / 300, 0);
     for (auto& dimension_counts : counts) ++dimension_counts[sampler.next_bits() >> 24];
   }
   for (const auto& dimension_counts : counts) {
@@ -54,7 +59,7 @@ TEST(SamplerTest, EveryDimensionIsUniform) {
 TEST(SamplerTest, SamplesOfOnePixelAreUniform) {
   std::vector<std::vector<std::uint64_t>> counts(kDimensions, std::vector<std::uint64_t>(256, 0));
   for (std::uint32_t i = 0; i < kDraws; ++i) {
-    Sampler sampler(1, 5, 3, i);
+    Sampler sampler(Sequence::kRandom, 1, 5, 3, i);
     for (auto& dimension_counts : counts) ++dimension_counts[sampler.next_bits() >> 24];
   }
   for (const auto& dimension_counts : counts) {
@@ -65,7 +70,7 @@ TEST(SamplerTest, SamplesOfOnePixelAreUniform) {
 TEST(SamplerTest, DimensionsAreIndependent) {
   for (const std::uint32_t apart : {1U, 2U, 7U}) {
     expect_independent([&](std::uint32_t i) {
-      const Sampler sampler(2, i, 0, 0);
+      const Sampler sampler(Sequence::kRandom, 2, i, 0, 0);
       return Bits(dimension(sampler, 0), dimension(sampler, apart));
     });
   }
@@ -73,22 +78,22 @@ TEST(SamplerTest, DimensionsAreIndependent) {
 
 TEST(SamplerTest, NeighboursAreIndependent) {
   expect_independent([](std::uint32_t i) {
-    return Bits(dimension(Sampler(3, i, 7, 0), 0), dimension(Sampler(3, i + 1, 7, 0), 0));
+    return Bits(dimension(random_sampler(3, i, 7, 0), 0), dimension(random_sampler(3, i + 1, 7, 0), 0));
   });
   expect_independent([](std::uint32_t i) {
-    return Bits(dimension(Sampler(3, 7, i, 0), 0), dimension(Sampler(3, 7, i + 1, 0), 0));
+    return Bits(dimension(random_sampler(3, 7, i, 0), 0), dimension(random_sampler(3, 7, i + 1, 0), 0));
   });
   expect_independent([](std::uint32_t i) {  // mirrored pixels
-    return Bits(dimension(Sampler(3, i, i + 1, 0), 0), dimension(Sampler(3, i + 1, i, 0), 0));
+    return Bits(dimension(random_sampler(3, i, i + 1, 0), 0), dimension(random_sampler(3, i + 1, i, 0), 0));
   });
   expect_independent([](std::uint32_t i) {
-    return Bits(dimension(Sampler(3, 7, 7, i), 0), dimension(Sampler(3, 7, 7, i + 1), 0));
+    return Bits(dimension(random_sampler(3, 7, 7, i), 0), dimension(random_sampler(3, 7, 7, i + 1), 0));
   });
   expect_independent([](std::uint32_t i) {  // the next sample's first number is not this one's second
-    return Bits(dimension(Sampler(3, 7, 7, i), 1), dimension(Sampler(3, 7, 7, i + 1), 0));
+    return Bits(dimension(random_sampler(3, 7, 7, i), 1), dimension(random_sampler(3, 7, 7, i + 1), 0));
   });
   expect_independent([](std::uint32_t i) {
-    return Bits(dimension(Sampler(i, 7, 7, 0), 0), dimension(Sampler(i + 1, 7, 7, 0), 0));
+    return Bits(dimension(random_sampler(i, 7, 7, 0), 0), dimension(random_sampler(i + 1, 7, 7, 0), 0));
   });
 }
 
@@ -96,12 +101,13 @@ TEST(SamplerTest, ChangingOneBitOfTheNameChangesHalfOfTheNumber) {
   std::uint64_t changed = 0;
   std::uint64_t pairs = 0;
   for (std::uint32_t i = 0; i < 1000; ++i) {
-    const std::uint32_t base = dimension(Sampler(i, i, i, i), 0);
+    const std::uint32_t base = dimension(random_sampler(i, i, i, i), 0);
     for (std::uint32_t bit = 0; bit < 32; ++bit) {
       const std::uint32_t flipped = i ^ (1U << bit);
       for (const Sampler& other :
-           {Sampler(flipped, i, i, i), Sampler(i ^ (std::uint64_t{1} << (bit + 32)), i, i, i),
-            Sampler(i, flipped, i, i), Sampler(i, i, flipped, i), Sampler(i, i, i, flipped)}) {
+           {random_sampler(flipped, i, i, i), random_sampler(i ^ (std::uint64_t{1} << (bit + 32)), i, i, i),
+            random_sampler(i, flipped, i, i), random_sampler(i, i, flipped, i),
+            random_sampler(i, i, i, flipped)}) {
         changed += static_cast<std::uint64_t>(std::popcount(base ^ dimension(other, 0)));
         ++pairs;
       }
@@ -113,7 +119,7 @@ TEST(SamplerTest, ChangingOneBitOfTheNameChangesHalfOfTheNumber) {
 TEST(SamplerTest, StreamsDoNotRepeatOneAnother) {
   std::set<std::uint64_t> seen;  // of two numbers in sequence
   for (std::uint32_t i = 0; i < 10000; ++i) {
-    Sampler sampler(4, i % 100, i / 100, 0);
+    Sampler sampler(Sequence::kRandom, 4, i % 100, i / 100, 0);
     std::uint64_t pair = sampler.next_bits();
     for (int n = 1; n < 8; ++n) {
       pair = pair << 32 | sampler.next_bits();
@@ -124,7 +130,7 @@ TEST(SamplerTest, StreamsDoNotRepeatOneAnother) {
 
 TEST(SamplerTest, AnySampleCanBeMadeAgain) {
   const auto first = [](std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
-    Sampler sampler(seed, x, y, sample);
+    Sampler sampler(Sequence::kRandom, seed, x, y, sample);
     return std::array{sampler.next_bits(), sampler.next_bits(), sampler.next_bits()};
   };
   EXPECT_EQ(first(1, 2, 3, 4), first(1, 2, 3, 4));
@@ -140,8 +146,8 @@ class SamplerNumbersTest : public testing::Test {};
 TYPED_TEST_SUITE(SamplerNumbersTest, NumberSystems, NumberSystemNames);
 
 TYPED_TEST(SamplerNumbersTest, AreTheBitsAsFractions) {
-  Sampler numbers(5, 6, 7, 8);
-  Sampler bits(5, 6, 7, 8);
+  Sampler numbers(Sequence::kRandom, 5, 6, 7, 8);
+  Sampler bits(Sequence::kRandom, 5, 6, 7, 8);
   for (int i = 0; i < 1000; ++i) {
     const auto x = numbers.next<TypeParam>();
     EXPECT_TRUE(x >= 0 && x < 1);

@@ -64,7 +64,7 @@ TYPED_TEST(WarpsTest, Triangle) {
     }
   }
   for (std::uint32_t i = 0; i < kSamples; ++i) {
-    Sampler sampler(9, i, 0, 0);
+    Sampler sampler(Sequence::kRandom, 9, i, 0, 0);
     const auto u = sampler.next<TypeParam>();
     const auto v = sampler.next<TypeParam>();
     const auto b = sample_triangle<TypeParam>(u, v);
