@@ -6,9 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "lights/environment_light.h"
+#include "lights/light_points.h"
 #include "lights/mesh_light.h"
 #include "lights/punctual_light.h"
-#include "lights/sky.h"
 
 namespace vitrine {
 
@@ -17,23 +18,23 @@ struct LightList {
   std::vector<MeshLight<N>> meshes;
   std::vector<PointLight<N>> points;
   std::vector<DirectionalLight<N>> directional;
-  std::optional<Sky<N>> sky;
+  std::optional<EnvironmentLight<N>> sky;
 
   [[nodiscard]] std::uint32_t size() const {
     return static_cast<std::uint32_t>(meshes.size() + points.size() + directional.size() + (sky ? 1U : 0U));
   }
   [[nodiscard]] std::uint32_t sky_index() const { return size() - 1; }
 
-  /// Light `i` as seen from `p`, by four random numbers.
-  [[nodiscard]] std::optional<LightSample<N>> sample(std::uint32_t i, const Vec3<typename N::Length>& p,
-                                                     std::uint32_t bits, std::uint32_t alias_bits,
+  /// Light `i` as seen from `p`, by three random numbers.
+  [[nodiscard]] std::optional<LightSample<N>> sample(std::uint32_t i, LightPoints points_how,
+                                                     const Vec3<typename N::Length>& p, std::uint32_t bits,
                                                      typename N::Unit u, typename N::Unit v) const {
-    if (i < meshes.size()) return meshes[i].sample(p, bits, alias_bits, u, v);
+    if (i < meshes.size()) return meshes[i].sample(points_how, p, bits, u, v);
     i -= static_cast<std::uint32_t>(meshes.size());
     if (i < points.size()) return points[i].sample(p);
     i -= static_cast<std::uint32_t>(points.size());
     if (i < directional.size()) return directional[i].sample();
-    return sky->sample(u, v);
+    return sky->sample(bits, u, v);
   }
 };
 

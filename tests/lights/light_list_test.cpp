@@ -40,7 +40,7 @@ TYPED_TEST(LightListTest, MeshesPointsDirectionalAndTheSkyLast) {
   ASSERT_EQ(lights.size(), 5U);
   EXPECT_EQ(lights.sky_index(), 4U);
   const auto sample = [&](std::uint32_t i) {
-    return lights.sample(i, Vec3<Length>(0), 0U, 0U, Unit(0.25), Unit(0.25));
+    return lights.sample(i, LightPoints::kArea, Vec3<Length>(0), 0U, Unit(0.25), Unit(0.25));
   };
   EXPECT_EQ(sample(0)->triangle, 42U);
   for (std::uint32_t i = 1; i < 5; ++i) {
@@ -54,7 +54,7 @@ TYPED_TEST(LightListTest, UniformSelectionIsUniform) {
     const UniformLightSelection<TypeParam> selection(count);
     std::vector<std::uint64_t> observed(count, 0);
     for (std::uint32_t i = 0; i < kSamples; ++i) {
-      Sampler sampler(1, i, 0, 0);
+      Sampler sampler(Sequence::kRandom, 1, i, 0, 0);
       const std::uint32_t chosen = selection.sample(sampler.next_bits());
       ASSERT_LT(chosen, count);
       ++observed[chosen];

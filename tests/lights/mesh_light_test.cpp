@@ -55,10 +55,9 @@ MeshLight<N> mesh_light(const std::vector<HostTriangle>& triangles, bool two_sid
 template <class N>
 std::optional<LightSample<N>> draw(const MeshLight<N>& light, const glm::dvec3& from, Sampler& sampler) {
   const std::uint32_t bits = sampler.next_bits();
-  const std::uint32_t alias_bits = sampler.next_bits();
   const auto u = sampler.next<N>();
   const auto v = sampler.next<N>();
-  return light.sample(from_host<typename N::Length>(from), bits, alias_bits, u, v);
+  return light.sample(LightPoints::kArea, from_host<typename N::Length>(from), bits, u, v);
 }
 
 template <class N>
@@ -79,7 +78,7 @@ TYPED_TEST(MeshLightTest, PointsAreUniformByArea) {
   }
   std::vector<std::uint64_t> observed(expected.size(), 0);
   for (std::uint32_t i = 0; i < kSamples; ++i) {
-    Sampler sampler(1, i, 0, 0);
+    Sampler sampler(Sequence::kRandom, 1, i, 0, 0);
     const auto sample = draw(light, {0.01, -0.5, 0.02}, sampler);
     ASSERT_TRUE(sample);
     const auto row = static_cast<std::size_t>(to_host(sample->barycentric.x) * kCells);
@@ -93,7 +92,7 @@ TYPED_TEST(MeshLightTest, DensityIsThatOfAreaSeenFromThePoint) {
   const MeshLight<TypeParam> light = mesh_light<TypeParam>(lamp(), true);
   RandomInputs random(1);
   for (std::uint32_t i = 0; i < 20000; ++i) {
-    Sampler sampler(2, i, 0, 0);
+    Sampler sampler(Sequence::kRandom, 2, i, 0, 0);
     const glm::dvec3 p = random.in_cube(0.9);
     const auto sample = draw(light, p, sampler);
     if (!sample) continue;
@@ -115,7 +114,9 @@ TYPED_TEST(MeshLightTest, DensityIsThatOfAreaSeenFromThePoint) {
     ASSERT_FALSE(sample->delta);
     // What a ray that happens to hit the light is told agrees.
     const auto distance = from_host<typename TypeParam::Length>(glm::length(way));
-    ASSERT_NEAR(to_host(light.pdf_w(sample->triangle - 100, sample->wi, distance)), exact, exact * 4e-5);
+    ASSERT_NEAR(to_host(light.pdf_w(LightPoints::kArea, sample->triangle - 100,
+                                    from_host<typename TypeParam::Length>(p), sample->wi, distance)),
+                exact, exact * 4e-5);
   }
 }
 
@@ -139,7 +140,8 @@ TYPED_TEST(MeshLightTest, DirectionsFollowTheDensity) {
         for (const auto& [a, b] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
           if (glm::dot(glm::cross(b - a, q - a), t.normal()) < 0.0) return 0.0;
         }
-        return to_host(light.pdf_w(0, from_host<Unit>(w), from_host<typename TypeParam::Length>(distance)));
+        return to_host(light.pdf_w(LightPoints::kArea, 0, from_host<typename TypeParam::Length>(p),
+                                   from_host<Unit>(w), from_host<typename TypeParam::Length>(distance)));
       });
   EXPECT_NEAR(result.integral, 1.0, 1e-3);
   EXPECT_GT(result.chi_square.p_value, sidak(kComparisons));
@@ -150,15 +152,18 @@ TYPED_TEST(MeshLightTest, ShinesFromItsFrontOnlyUnlessTwoSided) {
   const HostTriangle t{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};  // its front faces +z
   for (const bool two_sided : {false, true}) {
     const MeshLight<TypeParam> light = mesh_light<TypeParam>({t}, two_sided);
-    Sampler sampler(3, 0, 0, 0);
+    Sampler sampler(Sequence::kRandom, 3, 0, 0, 0);
     EXPECT_TRUE(draw(light, {0.2, 0.2, 0.5}, sampler));
     EXPECT_EQ(static_cast<bool>(draw(light, {0.2, 0.2, -0.5}, sampler)), two_sided);
     const Vec3<Unit> down(Unit(0), Unit(0), Unit(-1));
     const typename TypeParam::Length half(0.5);
-    EXPECT_NEAR(to_host(light.pdf_w(0, down, half)), 0.25 / 0.5, 1e-6);
-    EXPECT_NEAR(to_host(light.pdf_w(0, -down, half)), two_sided ? 0.25 / 0.5 : 0.0, 1e-6);
+    const auto pdf_w = [&](const Vec3<Unit>& wi) {
+      return to_host(light.pdf_w(LightPoints::kArea, 0, {}, wi, half));
+    };
+    EXPECT_NEAR(pdf_w(down), 0.25 / 0.5, 1e-6);
+    EXPECT_NEAR(pdf_w(-down), two_sided ? 0.25 / 0.5 : 0.0, 1e-6);
     const Vec3<Unit> aside(Unit(1), Unit(0), Unit(0));
-    EXPECT_EQ(to_host(light.pdf_w(0, aside, half)), 0.0) << "edge-on";
+    EXPECT_EQ(pdf_w(aside), 0.0) << "edge-on";
     EXPECT_FALSE(draw(light, {3.0, 0.0, 0.0}, sampler)) << "edge-on";
   }
 }

@@ -46,18 +46,52 @@ TYPED_TEST(SkyTest, DirectionsFollowTheDensity) {
   const DirectionComparison result = compare_directions(
       DirectionBins(), 300000,
       [&](Sampler& sampler) {
+        const std::uint32_t bits = sampler.next_bits();
         const auto u = sampler.next<TypeParam>();
         const auto v = sampler.next<TypeParam>();
-        const LightSample<TypeParam> sample = sky.sample(u, v);
-        EXPECT_EQ(sample.radiance, sky.radiance(sample.wi));
-        EXPECT_EQ(sample.pdf_w, sky.pdf_w());
-        EXPECT_FALSE(sample.end);
-        EXPECT_FALSE(sample.delta);
-        return std::optional(to_host(sample.wi));
+        const auto sample = sky.sample(bits, u, v);
+        if (!sample) return std::optional<glm::dvec3>();
+        EXPECT_EQ(sample->radiance, sky.radiance(sample->wi));
+        EXPECT_EQ(sample->pdf_w, sky.pdf_w(sample->wi));
+        EXPECT_FALSE(sample->end);
+        EXPECT_FALSE(sample->delta);
+        return std::optional(to_host(sample->wi));
       },
-      [&](const glm::dvec3&) { return to_host(sky.pdf_w()); });
+      [&](const glm::dvec3& w) { return to_host(sky.pdf_w(from_host<typename TypeParam::Unit>(w))); });
   EXPECT_NEAR(result.integral, 1.0, 1e-6);
   EXPECT_GT(result.chi_square.p_value, sidak(2));
+}
+
+// Perfect importance sampling: luminance over density is the same everywhere.
+TYPED_TEST(SkyTest, TheDensityIsProportionalToTheLuminance) {
+  const auto sky = this->sky();
+  RandomInputs random(5);
+  for (int i = 0; i < 10000; ++i) {
+    const auto w = from_host<typename TypeParam::Unit>(random.direction());
+    const double shown = luminance<double>(to_host(sky.radiance(w)));
+    ASSERT_NEAR(shown / to_host(sky.pdf_w(w)) / (4.0 * std::numbers::pi * sky.mean_luminance()), 1.0, 1e-5);
+  }
+}
+
+// Skies with dark parts: what does not shine is not sampled, and a black sky does no harm.
+TYPED_TEST(SkyTest, DarkPartsAreNotSampled) {
+  using Radiance = typename TypeParam::Radiance;
+  const auto grey = [](double x) { return from_host<Radiance>(glm::dvec3(x)); };
+  const Sky<TypeParam> above(grey(1.0), grey(0.0), grey(0.0));
+  const Sky<TypeParam> below(grey(0.0), grey(0.0), grey(1.0));
+  const Sky<TypeParam> black(grey(0.0), grey(0.0), grey(0.0));
+  for (std::uint32_t i = 0; i < 10000; ++i) {
+    Sampler sampler(Sequence::kRandom, 1, i, 0, 0);
+    const std::uint32_t bits = sampler.next_bits();
+    const auto u = sampler.next<TypeParam>();
+    const auto v = sampler.next<TypeParam>();
+    const auto up = above.sample(bits, u, v);
+    EXPECT_TRUE(!up || up->wi.y > 0);
+    const auto down = below.sample(bits, u, v);
+    EXPECT_TRUE(!down || !(down->wi.y > 0));
+    const auto none = black.sample(bits, u, v);
+    EXPECT_TRUE(!none || to_host(none->radiance) == glm::dvec3(0.0));
+  }
 }
 
 }  // namespace
