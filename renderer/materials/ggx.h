@@ -1,13 +1,20 @@
 // The GGX distribution of microfacet normals (Walter et al. 2007) with Smith's masking, height-correlated
-// (Heitz 2014), and sampling of the visible normals by a spherical cap (Dupuy, Benyoub 2023).
+// (Heitz 2014); sampling of all normals, and of the visible ones by a spherical cap (Dupuy, Benyoub 2023).
 //
 //   D(h) = alpha^2 / (pi s^2),  s = h.x^2 + h.y^2 + alpha^2 h.z^2     (no cancellation at small alpha)
 #pragma once
 
+#include "materials/direction_sampling.h"
 #include "numeric/trigonometry.h"
 #include "numeric/vec.h"
 
 namespace vitrine {
+
+/// The alpha below which a lobe is taken for a delta distribution.
+template <class N>
+constexpr typename N::Unit smooth_below() {
+  return typename N::Unit(0.001);
+}
 
 template <class N>
 class Ggx {
@@ -37,6 +44,16 @@ class Ggx {
     const Unit y = r * sine + w.y;
     const Unit top = z + w.z;
     return normalize(Vec3<Unit>(alpha_ * x, alpha_ * y, top < 0 ? Unit(0) : top));
+  }
+  /// A facet normal by its area: density D(h) h.z. Its slope is alpha sqrt(v / (1 - v)).
+  [[nodiscard]] Vec3<Unit> sample_any(Unit u, Unit v) const {
+    const auto [sine, cosine] = sincos_turns(u);
+    const Unit r = alpha_ * sqrt(v);
+    return normalize(Vec3<Unit>(r * cosine, r * sine, sqrt(1 - v)));
+  }
+  /// By `how`: kBrdf takes any facet, otherwise one that wo sees.
+  [[nodiscard]] Vec3<Unit> sample(const Vec3<Unit>& wo, Unit u, Unit v, DirectionSampling how) const {
+    return how == DirectionSampling::kBrdf ? sample_any(u, v) : sample_visible(wo, u, v);
   }
 
  private:

@@ -16,7 +16,8 @@ namespace vitrine {
 template <class N>
 LobeValue<N> eval_microfacet_transmission(const Ggx<N>& ggx, const Vec3<typename N::Unit>& tint,
                                           typename N::Unit eta, const Vec3<typename N::Unit>& wo,
-                                          const Vec3<typename N::Unit>& wi) {
+                                          const Vec3<typename N::Unit>& wi,
+                                          DirectionSampling how = DirectionSampling::kBrdfCosine) {
   using Unit = typename N::Unit;
   using Density = typename N::Density;
   Vec3<Unit> h = normalize(wi * eta + wo);
@@ -30,16 +31,18 @@ LobeValue<N> eval_microfacet_transmission(const Ggx<N>& ggx, const Vec3<typename
   const Unit smith_i = ggx.smith(wi.z);
   const Unit transmittance = 1 - fresnel_dielectric(cos_o, eta).reflectance;
   const Density masking = Density(-wi.z) / Density(wo.z * smith_i - wi.z * smith_o);
-  return {tint * transmittance, facets * masking / Density(square(eta)), facets / Density(wo.z + smith_o)};
+  return {tint * transmittance, facets * masking / Density(square(eta)),
+          how == DirectionSampling::kBrdf ? facets * Density(0.5) * Density(h.z) / Density(cos_o)
+                                          : facets / Density(wo.z + smith_o)};
 }
 
 /// Nothing under total reflection.
 template <class N>
-std::optional<Vec3<typename N::Unit>> sample_microfacet_transmission(const Ggx<N>& ggx, typename N::Unit eta,
-                                                                     const Vec3<typename N::Unit>& wo,
-                                                                     typename N::Unit u, typename N::Unit v) {
+std::optional<Vec3<typename N::Unit>> sample_microfacet_transmission(
+    const Ggx<N>& ggx, typename N::Unit eta, const Vec3<typename N::Unit>& wo, typename N::Unit u,
+    typename N::Unit v, DirectionSampling how = DirectionSampling::kBrdfCosine) {
   using Unit = typename N::Unit;
-  const Vec3<Unit> h = ggx.sample_visible(wo, u, v);
+  const Vec3<Unit> h = ggx.sample(wo, u, v, how);
   const Unit cos_o = dot(wo, h);
   if (!(cos_o > 0)) return std::nullopt;
   const Unit cos_t = fresnel_dielectric(cos_o, eta).cos_t;

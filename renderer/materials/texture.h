@@ -30,16 +30,14 @@ struct Texture {
 
   /// The decoded colour at `uv`; v runs downwards as in glTF.
   [[nodiscard]] Vec3<Unit> sample(const Vec2<TexCoord>& uv, const TexelTable<N>& table) const {
-    const Span s = span(uv.x, width, wrap_s);
-    const Span t = span(uv.y, height, wrap_t);
-    if (nearest) {
-      return texel(s.fraction < Unit(0.5) ? s.first : s.second, t.fraction < Unit(0.5) ? t.first : t.second,
-                   table);
-    }
-    const auto mix = [](const Vec3<Unit>& a, const Vec3<Unit>& b, Unit x) { return a + (b - a) * x; };
-    return mix(mix(texel(s.first, t.first, table), texel(s.second, t.first, table), s.fraction),
-               mix(texel(s.first, t.second, table), texel(s.second, t.second, table), s.fraction),
-               t.fraction);
+    return blend(uv, [&](int x, int y) {
+      const std::uint8_t* p = texel(x, y);
+      return Vec3<Unit>(table[p[0]], table[p[1]], table[p[2]]);
+    });
+  }
+  /// The alpha channel at `uv`; it is always linear.
+  [[nodiscard]] Unit sample_alpha(const Vec2<TexCoord>& uv, const TexelTable<N>& linear) const {
+    return blend(uv, [&](int x, int y) { return linear[texel(x, y)[3]]; });
   }
 
  private:
@@ -60,10 +58,22 @@ struct Texture {
     };
     return {wrapped(cell.index), wrapped(cell.index + 1), cell.fraction};
   }
-  [[nodiscard]] Vec3<Unit> texel(int x, int y, const TexelTable<N>& table) const {
-    const std::uint8_t* p = rgba + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                        static_cast<std::size_t>(x));
-    return {table[p[0]], table[p[1]], table[p[2]]};
+  // Of the texels around `uv`, as the sampler filters them.
+  template <class Decode>
+  [[nodiscard]] auto blend(const Vec2<TexCoord>& uv, const Decode& decoded) const {
+    const Span s = span(uv.x, width, wrap_s);
+    const Span t = span(uv.y, height, wrap_t);
+    if (nearest) {
+      return decoded(s.fraction < Unit(0.5) ? s.first : s.second,
+                     t.fraction < Unit(0.5) ? t.first : t.second);
+    }
+    const auto mix = [](const auto& a, const auto& b, Unit x) { return a + (b - a) * x; };
+    return mix(mix(decoded(s.first, t.first), decoded(s.second, t.first), s.fraction),
+               mix(decoded(s.first, t.second), decoded(s.second, t.second), s.fraction), t.fraction);
+  }
+  [[nodiscard]] const std::uint8_t* texel(int x, int y) const {
+    return rgba +
+           4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
   }
 };
 

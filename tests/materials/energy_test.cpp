@@ -85,6 +85,39 @@ TYPED_TEST(EnergyTest, NoLobeGivesMoreThanItGets) {
   }
 }
 
+// A coat and a sheen take from below what they give: over a base that loses nothing, nothing is gained, and
+// over a rough one no more than was lost.
+TYPED_TEST(EnergyTest, NoLayerGivesMoreThanItTakes) {
+  const glm::dvec3 white(1.0);
+  for (const double cosine : {1.0, 0.3, 0.03}) {
+    const auto expect_no_gain = [&](const TestSurface& surface) {
+      EXPECT_LE(this->albedo(surface, cosine), 1.0 + 2e-3)
+          << surface.name << ' ' << surface.coat_alpha << ' ' << surface.sheen_roughness << ' ' << cosine;
+    };
+    for (const double rough : {0.1, 0.5}) {
+      const double alpha = rough * rough;
+      expect_no_gain({.name = "coated Lambert", .diffuse = white, .coat = 1.0, .coat_alpha = alpha});
+      expect_no_gain({.name = "coated conductor", .f0 = white, .f90 = 1.0, .coat = 0.5, .coat_alpha = alpha});
+      expect_no_gain({.name = "sheen alone", .sheen = white, .sheen_roughness = rough});
+      expect_no_gain({.name = "velvet", .diffuse = white, .sheen = white, .sheen_roughness = rough});
+      expect_no_gain(
+          {.name = "faint sheen", .diffuse = white, .sheen = white * 0.3, .sheen_roughness = rough});
+      expect_no_gain({.name = "all",
+                      .diffuse = white * 0.5,
+                      .transmit = white * 0.5,
+                      .sheen = white,
+                      .sheen_roughness = rough,
+                      .coat = 1.0,
+                      .coat_alpha = alpha});
+    }
+    // and what is taken comes back: a smooth coat, which eval() does not see, reflects exactly its share
+    const TestSurface enamel{.name = "", .diffuse = white, .coat = 1.0, .coat_smooth = true};
+    const double coat = 0.04 + 0.96 * std::pow(1.0 - cosine, 5);
+    EXPECT_LE(this->albedo(enamel, cosine), 1.0 - coat + 1e-4) << cosine;
+    EXPECT_GE(this->albedo(enamel, cosine), 0.9 * (1.0 - coat)) << cosine;
+  }
+}
+
 // glTF takes from the Lambert lobe what a facet between wo and wi would reflect. At grazing angles that is
 // less than the surface does reflect, so the model itself gains there: white plastic up to 80 % at 2 degrees
 // above the surface.

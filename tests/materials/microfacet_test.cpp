@@ -16,7 +16,7 @@ constexpr std::uint32_t kSamples = 150000;
 constexpr std::array kAlphas{0.001, 0.03, 0.3, 1.0};
 constexpr std::array kCosines{0.95, 0.5, 0.1};
 constexpr std::array kEtas{1.5, 1.0 / 1.5, 2.4};
-constexpr int kComparisons = 2 * (4 * 3 + 3 * 3 * 3);
+constexpr int kComparisons = 2 * (2 * 4 * 3 + 3 * 3 * 3 + 3 * 2);
 
 template <class N>
 class MicrofacetTest : public testing::Test {
@@ -137,6 +137,60 @@ TYPED_TEST(MicrofacetTest, TransmissionSamplesByItsDensity) {
         EXPECT_LT(result.integral, 1.001) << alpha << ' ' << cosine << ' ' << eta;
         EXPECT_GT(result.chi_square.p_value, sidak(kComparisons)) << alpha << ' ' << cosine << ' ' << eta;
       }
+    }
+  }
+}
+
+// By all facets, seen or not: what looks away from wo reflects nothing.
+TYPED_TEST(MicrofacetTest, AnyFacetsSampleByTheirDensity) {
+  using Unit = typename TypeParam::Unit;
+  for (const double alpha : kAlphas) {
+    for (const double cosine : kCosines) {
+      const auto wo = from_host<Unit>(at_cosine(cosine));
+      const Ggx<TypeParam> ggx(from_host<Unit>(alpha));
+      const DirectionBins bins({-to_host(wo.x), -to_host(wo.y), to_host(wo.z)}, std::min(1.5, 2.0 * alpha));
+      const DirectionComparison result = compare_directions(
+          bins, kSamples,
+          [&](Sampler& sampler) -> std::optional<glm::dvec3> {
+            const auto u = sampler.next<TypeParam>();
+            const auto v = sampler.next<TypeParam>();
+            const auto wi = sample_microfacet_reflection(ggx, wo, u, v, DirectionSampling::kBrdf);
+            return wi.z > 0 ? std::optional(to_host(wi)) : std::nullopt;
+          },
+          [&](const glm::dvec3& w) {
+            const auto wi = from_host<Unit>(w);
+            const auto tint = [](Unit) { return Vec3<Unit>(1); };
+            return wi.z > 0
+                       ? to_host(
+                             eval_microfacet_reflection(ggx, wo, wi, tint, DirectionSampling::kBrdf).pdf_w)
+                       : 0.0;
+          });
+      EXPECT_LT(result.integral, 1.001) << alpha << ' ' << cosine;
+      EXPECT_GT(result.chi_square.p_value, sidak(kComparisons)) << alpha << ' ' << cosine;
+      EXPECT_GT(result.chi_square.degrees, 100) << alpha << ' ' << cosine;
+    }
+  }
+  for (const double cosine : kCosines) {
+    for (const double eta : {1.5, 1.0 / 1.5}) {
+      const auto wo = from_host<Unit>(at_cosine(cosine));
+      const auto e = from_host<Unit>(eta);
+      const Ggx<TypeParam> ggx(Unit(0.3));
+      const DirectionComparison result = compare_directions(
+          DirectionBins(), kSamples,
+          [&](Sampler& sampler) -> std::optional<glm::dvec3> {
+            const auto u = sampler.next<TypeParam>();
+            const auto v = sampler.next<TypeParam>();
+            const auto wi = sample_microfacet_transmission(ggx, e, wo, u, v, DirectionSampling::kBrdf);
+            return wi && wi->z < 0 ? std::optional(to_host(*wi)) : std::nullopt;
+          },
+          [&](const glm::dvec3& w) {
+            if (w.z >= 0.0) return 0.0;
+            return to_host(eval_microfacet_transmission(ggx, Vec3<Unit>(1), e, wo, from_host<Unit>(w),
+                                                        DirectionSampling::kBrdf)
+                               .pdf_w);
+          });
+      EXPECT_LT(result.integral, 1.001) << cosine << ' ' << eta;
+      EXPECT_GT(result.chi_square.p_value, sidak(kComparisons)) << cosine << ' ' << eta;
     }
   }
 }

@@ -1,6 +1,7 @@
 // Surfaces to scatter from, described on the host.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct TestSurface {
   double eta = 1.5;
   double alpha = 0.3;
   bool smooth = false;
+  glm::dvec3 sheen{0.0};
+  double sheen_roughness = 0.5;
+  double coat = 0.0;
+  double coat_alpha = 0.2;
+  bool coat_smooth = false;
 };
 
 /// Every combination of lobes that the importer can make, all rough.
@@ -49,6 +55,29 @@ inline std::vector<TestSurface> rough_surfaces() {
        .transmit = {0.5, 0.5, 0.5},
        .transmission = Transmission::kRefract,
        .eta = 1.3},
+      {.name = "velvet", .diffuse = {0.2, 0.1, 0.5}, .sheen = {0.8, 0.9, 0.4}},
+      {.name = "sharp sheen on paper",
+       .diffuse = {0.3, 0.3, 0.3},
+       .f0 = dielectric,
+       .f90 = 1.0,
+       .transmit = {0.2, 0.5, 0.2},
+       .alpha = 0.6,
+       .sheen = {1.0, 0.5, 1.0},
+       .sheen_roughness = 0.15},
+      {.name = "varnish",
+       .diffuse = {0.4, 0.3, 0.1},
+       .f0 = dielectric,
+       .f90 = 1.0,
+       .alpha = 0.6,
+       .coat = 1.0},
+      {.name = "coated milk glass",
+       .diffuse = {0.4, 0.4, 0.4},
+       .transmit = {0.5, 0.5, 0.5},
+       .transmission = Transmission::kRefract,
+       .eta = 1.3,
+       .sheen = {0.3, 0.3, 0.6},
+       .coat = 0.7,
+       .coat_alpha = 0.5},
   };
 }
 
@@ -62,8 +91,17 @@ SurfaceScattering<N> baked(const TestSurface& s) {
           .transmission = s.transmission,
           .eta = from_host<Unit>(s.eta),
           .alpha = from_host<Unit>(s.alpha),
-          .smooth = s.smooth};
+          .smooth = s.smooth,
+          .sheen = {.color = from_host<Unit>(s.sheen),
+                    .roughness = from_host<Unit>(s.sheen_roughness),
+                    .albedo = s.sheen == glm::dvec3(0.0) ? nullptr : &SheenAlbedo<N>::table()},
+          .coat = {.weight = from_host<Unit>(s.coat),
+                   .alpha = from_host<Unit>(s.coat_alpha),
+                   .smooth = s.coat_smooth}};
 }
+
+inline constexpr std::array kAllSamplings{DirectionSampling::kUniform, DirectionSampling::kCosine,
+                                          DirectionSampling::kBrdf, DirectionSampling::kBrdfCosine};
 
 /// The direction at an angle of this cosine to the normal.
 inline glm::dvec3 at_cosine(double cosine, double phi = 0.7) {

@@ -98,6 +98,22 @@ TYPED_TEST(TextureTest, WrapsAndBlendsAsGltfSays) {
   }
 }
 
+TYPED_TEST(TextureTest, AlphaIsFilteredLikeAnyChannel) {
+  const TestImage image(13, 8);
+  TestImage alpha_in_red = image;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) alpha_in_red.rgba[i] = image.rgba[i + 3];
+  const TexelTable<TypeParam> table = this->linear();
+  RandomInputs random(2);
+  for (const bool nearest : {false, true}) {
+    const auto texture = this->texture(image, Wrap::kRepeat, Wrap::kMirror, nearest);
+    const auto red = this->texture(alpha_in_red, Wrap::kRepeat, Wrap::kMirror, nearest);
+    for (int i = 0; i < 500; ++i) {
+      const auto at = this->uv(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
+      ASSERT_EQ(texture.sample_alpha(at, table), red.sample(at, table).x);
+    }
+  }
+}
+
 TYPED_TEST(TextureTest, CornersAndCenters) {
   const TestImage image(4, 2);
   const TexelTable<TypeParam> table = this->linear();
