@@ -1,6 +1,7 @@
 // The bounding volume hierarchy in a number system, and its traversal: closest hit and any hit, over
 // triangles by index. Boxes are padded, so that no rounding of a slab test can lose a triangle that the
-// watertight test would hit.
+// watertight test would hit. The caller may say which hits count: one that does not is as if the triangle
+// were not there.
 #pragma once
 
 #include <array>
@@ -14,6 +15,14 @@
 #include "numeric/host_conversion.h"
 
 namespace vitrine {
+
+/// Which hits count where nobody says otherwise.
+struct EveryHit {
+  template <class N>
+  constexpr bool operator()(const Ray<N>& /*ray*/, const Hit<N>& /*hit*/) const {
+    return true;
+  }
+};
 
 template <class N>
 class Bvh {
@@ -43,18 +52,22 @@ class Bvh {
   [[nodiscard]] std::span<const glm::uvec3> triangles() const { return triangles_; }
   [[nodiscard]] std::span<const Vec3<Length>> positions() const { return positions_; }
 
-  /// hits[i] for rays[i]: the nearest triangle before t_max, either side.
-  void closest(std::span<const Ray<N>> rays, std::span<Hit<N>> hits) const {
+  /// hits[i] for rays[i]: the nearest triangle before t_max, either side, whose hit `counts(ray, hit)`. In
+  /// which order hits are asked for, and which of those that lie behind the nearest, is not defined.
+  template <class Counts = EveryHit>
+  void closest(std::span<const Ray<N>> rays, std::span<Hit<N>> hits, const Counts& counts = {}) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       hits[i] = {.t = rays[i].t_max};
-      traverse<false>(rays[i], hits[i]);
+      traverse<false>(rays[i], hits[i], counts);
     }
   }
-  /// occluded[i] = 1 if anything is in the way of rays[i] before t_max.
-  void occluded(std::span<const Ray<N>> rays, std::span<std::uint8_t> occluded) const {
+  /// occluded[i] = 1 if anything that counts is in the way of rays[i] before t_max.
+  template <class Counts = EveryHit>
+  void occluded(std::span<const Ray<N>> rays, std::span<std::uint8_t> occluded,
+                const Counts& counts = {}) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       Hit<N> hit{.t = rays[i].t_max};
-      traverse<true>(rays[i], hit);
+      traverse<true>(rays[i], hit, counts);
       occluded[i] = hit ? 1 : 0;
     }
   }
@@ -94,8 +107,8 @@ class Bvh {
     }
   };
 
-  template <bool kAny>
-  void traverse(const Ray<N>& ray, Hit<N>& hit) const {
+  template <bool kAny, class Counts>
+  void traverse(const Ray<N>& ray, Hit<N>& hit, const Counts& counts) const {
     if (nodes_.empty()) return;
     const SlabRay slabs(ray);
     const ShearedRay<N> sheared(ray);
@@ -113,9 +126,15 @@ class Bvh {
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
           const glm::uvec3& corners = triangles_[order_[i]];
-          if (sheared.intersect(positions_[corners.x], positions_[corners.y], positions_[corners.z], hit)) {
-            hit.triangle = order_[i];
-            if constexpr (kAny) return;
+          const Hit<N> before = hit;
+          if (!sheared.intersect(positions_[corners.x], positions_[corners.y], positions_[corners.z], hit)) {
+            continue;
+          }
+          hit.triangle = order_[i];
+          if (!counts(ray, hit)) {
+            hit = before;
+          } else if constexpr (kAny) {
+            return;
           }
         }
       }

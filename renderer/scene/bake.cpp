@@ -8,14 +8,15 @@
 #include "numeric/fixed_numbers.h"
 #include "numeric/float_numbers.h"
 #include "numeric/host_conversion.h"
+#include "scene/environment_lattice.h"
 #include "scene/framing.h"
 #include "scene/input_error.h"
+#include "scene/light_emissions.h"
+#include "scene/material_baker.h"
+#include "scene/tangents.h"
 
 namespace vitrine {
 namespace {
-
-constexpr double kMaxIor = 2.9;        // what the Fresnel terms of the fixed system can hold
-constexpr double kStraightIor = 1e-3;  // closer to 1, a solid bends no light
 
 double srgb_to_linear(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
 
@@ -70,6 +71,7 @@ class Baker {
 
  public:
   explicit Baker(const Scene& scene) : scene_(scene), extent_(measure(scene)) {
+    if (scene.environment_picture) lattice_ = make_environment_lattice(*scene.environment_picture);
     world_.center = extent_.center;
     world_.scale = 1.0 / extent_.radius;
   }
@@ -82,20 +84,28 @@ class Baker {
       world_.srgb_table[i] = from_host<Unit>(srgb_to_linear(x));
     }
     world_.images = scene_.images;
-    for (const Material& material : scene_.materials) world_.materials.push_back(bake_material(material));
-    world_.materials.push_back(bake_material(Material{}));  // glTF's default
+    MaterialBaker<N> materials(world_.images, world_.scale, world_.exponent);
+    for (const Material& material : scene_.materials) world_.materials.push_back(materials.bake(material));
+    world_.materials.push_back(materials.bake(default_material_));
+    uv_sets_.assign(materials.uv_sets().begin(), materials.uv_sets().end());
     world_.uv_sets.resize(uv_sets_.size());
     for (const Instance& instance : scene_.instances) {
-      for (const Primitive& p : scene_.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-        add(instance, p);
+      for (const Primitive& p : scene_.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
+        const TextureUse& map = material_of(p).normal_texture;
+        if (map && p.tangents.empty()) {
+          add(instance, with_tangents(p, map));
+        } else {
+          add(instance, p);
+        }
+      }
     }
+    world_.see_through =
+        !std::ranges::all_of(world_.materials, [](const auto& m) { return m.coverage.complete; });
+    world_.absorbs = std::ranges::any_of(world_.materials, [](const auto& m) { return bool{m.absorption}; });
     world_.bvh = Bvh<N>(std::move(positions_), std::move(triangles_));
     bake_punctual_lights();
-    if (scene_.environment) {
-      world_.lights.sky = Sky<N>{radiance(scene_.environment->zenith), radiance(scene_.environment->horizon),
-                                 radiance(scene_.environment->ground)};
-    }
-    world_.light_selection = UniformLightSelection<N>(world_.lights.size());
+    bake_environment();
+    world_.light_selectors = LightSelectors<N>(light_emissions(world_));
     return std::move(world_);
   }
 
@@ -105,7 +115,9 @@ class Baker {
   [[nodiscard]] int radiance_exponent() const {
     double brightest = 0.0;
     for (const Material& m : scene_.materials) brightest = std::max(brightest, max_of(m.emission));
-    if (const auto& sky = scene_.environment) {
+    for (const glm::dvec3& point : lattice_.radiance)
+      brightest = std::max({brightest, point.x, point.y, point.z});
+    if (const auto& sky = scene_.environment; sky && !scene_.environment_picture) {
       brightest = std::max({brightest, max_of(sky->zenith), max_of(sky->horizon), max_of(sky->ground)});
     }
     for (const PunctualLight& light : scene_.lights) {
@@ -122,58 +134,13 @@ class Baker {
     return from_host<Length>((metres - world_.center) * world_.scale);
   }
 
-  // Texture coordinates are transformed once a vertex, so each pair of a set and a transform is a set of its
-  // own.
-  int uv_set(const TextureUse& use) {
-    const auto found = std::ranges::find_if(uv_sets_, [&](const TextureUse& other) {
-      return other.texcoord == use.texcoord && other.transform == use.transform;
-    });
-    if (found != uv_sets_.end()) return static_cast<int>(found - uv_sets_.begin());
-    uv_sets_.push_back(use);
-    return static_cast<int>(uv_sets_.size()) - 1;
+  // glTF's default material comes after the scene's own.
+  [[nodiscard]] std::uint32_t material_index(const Primitive& primitive) const {
+    return static_cast<std::uint32_t>(primitive.material < 0 ? static_cast<int>(scene_.materials.size())
+                                                             : primitive.material);
   }
-
-  std::optional<Texture<N>> texture(const TextureUse& use) {
-    if (!use) return std::nullopt;
-    const Image& image = world_.images[static_cast<std::size_t>(use.image)];
-    const auto wrap = [](TextureWrap w) {
-      return w == TextureWrap::kRepeat ? Wrap::kRepeat
-                                       : (w == TextureWrap::kMirroredRepeat ? Wrap::kMirror : Wrap::kClamp);
-    };
-    return Texture<N>{.rgba = image.rgba.data(),
-                      .width = image.width,
-                      .height = image.height,
-                      .uv_set = uv_set(use),
-                      .wrap_s = wrap(use.wrap_s),
-                      .wrap_t = wrap(use.wrap_t),
-                      .nearest = use.nearest};
-  }
-
-  BakedMaterial<N> bake_material(const Material& m) {
-    const auto unit = [](double x) { return from_host<Unit>(std::clamp(x, 0.0, 1.0)); };
-    const auto units = [&](const glm::vec3& v) {
-      return Vec3<Unit>(unit(static_cast<double>(v.x)), unit(static_cast<double>(v.y)),
-                        unit(static_cast<double>(v.z)));
-    };
-    // An index of 0 stands for an infinite one: it reflects everything (KHR_materials_ior).
-    const double ior = static_cast<double>(m.ior);
-    const double r = ior == 0.0 ? 1.0 : (ior - 1.0) / (ior + 1.0);
-    const bool bends = m.refracts && std::abs(ior - 1.0) > kStraightIor;
-    return {.base_color = units(m.base_color),
-            .metallic = unit(static_cast<double>(m.metallic)),
-            .roughness = unit(static_cast<double>(m.roughness)),
-            .dielectric_f0 = units(glm::min(m.specular_color * static_cast<float>(r * r), 1.0F) * m.specular),
-            .dielectric_f90 = unit(static_cast<double>(m.specular)),
-            .transmission = unit(static_cast<double>(m.transmission)),
-            .kind = bends ? Transmission::kRefract : Transmission::kThin,
-            .ior = from_host<Unit>(std::clamp(ior, 1.0, kMaxIor)),
-            .emission = radiance(m.emission),
-            .emits = max_of(m.emission) > 0.0,
-            .two_sided = m.double_sided,
-            .base_color_texture = texture(m.base_color_texture),
-            .metallic_roughness_texture = texture(m.metallic_roughness_texture),
-            .transmission_texture = texture(m.transmission_texture),
-            .emission_texture = texture(m.emission_texture)};
+  [[nodiscard]] const Material& material_of(const Primitive& primitive) const {
+    return primitive.material < 0 ? default_material_ : scene_.materials[material_index(primitive)];
   }
 
   void add(const Instance& instance, const Primitive& primitive) {
@@ -196,6 +163,7 @@ class Baker {
       world_.normals.push_back(from_host<Unit>(normal));
     }
     add_attributes(primitive, first);
+    if (material_of(primitive).normal_texture) add_tangents(primitive, first, linear, determinant < 0.0);
     add_triangles(primitive, first, determinant < 0.0);
   }
 
@@ -211,19 +179,41 @@ class Baker {
                              from_host<TexCoord>(static_cast<double>(uv.y))};
       }
     }
-    if (!primitive.colors.empty() && world_.colors.empty()) world_.colors.resize(first, Vec3<Unit>(1));
-    if (!primitive.colors.empty() || !world_.colors.empty()) {
-      world_.colors.resize(count, Vec3<Unit>(1));
-      for (std::size_t i = 0; i < primitive.colors.size(); ++i) {
-        world_.colors[first + i] = from_host<Unit>(glm::clamp(primitive.colors[i], 0.0F, 1.0F));
-      }
+    add_optional(primitive.colors, first, Vec3<Unit>(1), world_.colors,
+                 [](const glm::vec3& color) { return from_host<Unit>(glm::clamp(color, 0.0F, 1.0F)); });
+    add_optional(primitive.alphas, first, Unit(1), world_.alphas, [](float alpha) {
+      return from_host<Unit>(std::clamp(static_cast<double>(alpha), 0.0, 1.0));
+    });
+    if (!primitive.alphas.empty() && material_of(primitive).alpha_mode != AlphaMode::kOpaque) {
+      world_.materials[material_index(primitive)].coverage.complete = false;
     }
+  }
+
+  // They turn with the edges. A mirror image has its bitangents on the other side.
+  void add_tangents(const Primitive& primitive, std::uint32_t first, const glm::dmat3& linear,
+                    bool mirrored) {
+    const Tangent<N> none{Vec3<Unit>(0), Unit(1)};
+    add_optional(primitive.tangents, first, none, world_.tangents, [&](const glm::vec4& tangent) {
+      const glm::dvec3 along = linear * glm::dvec3(tangent);
+      const double length = glm::length(along);
+      const bool turned = (tangent.w < 0.0F) != mirrored;
+      return Tangent<N>{from_host<Unit>(length > 0.0 ? along / length : glm::dvec3(0.0)),
+                        turned ? Unit(-1) : Unit(1)};
+    });
+  }
+
+  // An array that is empty as long as no primitive has the attribute; vertices without it have `missing`.
+  template <class T, class Source, class Convert>
+  void add_optional(const std::vector<Source>& source, std::uint32_t first, const T& missing,
+                    std::vector<T>& target, const Convert& convert) {
+    if (source.empty() && target.empty()) return;
+    target.resize(positions_.size(), missing);
+    std::ranges::transform(source, target.begin() + first, convert);
   }
 
   // Triangles without area are left out: nothing can hit them, and as lights they would have no density.
   void add_triangles(const Primitive& primitive, std::uint32_t first, bool mirrored) {
-    const auto material = static_cast<std::uint32_t>(
-        primitive.material < 0 ? static_cast<int>(scene_.materials.size()) : primitive.material);
+    const std::uint32_t material = material_index(primitive);
     const BakedMaterial<N>& baked = world_.materials[material];
     std::vector<EmissiveTriangle<N>> emissive;
     for (const glm::uvec3& t : primitive.triangles) {
@@ -267,8 +257,19 @@ class Baker {
     }
   }
 
+  void bake_environment() {
+    if (scene_.environment_picture) {
+      for (glm::dvec3& point : lattice_.radiance) point *= std::ldexp(1.0, -world_.exponent);
+      world_.lights.sky = EnvironmentMap<N>(lattice_.cells, lattice_.radiance);
+    } else if (const auto& sky = scene_.environment) {
+      world_.lights.sky = Sky<N>(radiance(sky->zenith), radiance(sky->horizon), radiance(sky->ground));
+    }
+  }
+
   const Scene& scene_;
+  const Material default_material_{};
   Extent extent_;
+  EnvironmentLattice lattice_;
   World<N> world_;
   std::vector<TextureUse> uv_sets_;
   std::vector<Vec3<Length>> positions_;

@@ -2,41 +2,19 @@
 // point.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <vector>
 
+#include "materials/absorption.h"
 #include "materials/bsdf.h"
 #include "materials/texture.h"
+#include "scene/baked_layers.h"
+#include "scene/coverage.h"
+#include "scene/normal_map.h"
+#include "scene/surface_coordinates.h"
 
 namespace vitrine {
-
-/// Roughness below which a lobe is a delta distribution: alpha = 0.001.
-template <class N>
-constexpr typename N::Unit smooth_below() {
-  return typename N::Unit(0.001);
-}
-
-/// A texture coordinate of every vertex.
-template <class N>
-using UvSet = std::vector<Vec2<typename N::TexCoord>>;
-
-/// Where on a triangle a point is, and what varies from there to there.
-template <class N>
-struct SurfaceCoordinates {
-  using Unit = typename N::Unit;
-
-  std::span<const UvSet<N>> uv_sets;
-  glm::uvec3 corners;  ///< vertices of the triangle
-  Vec3<Unit> weights;  ///< their barycentric weights
-  Vec3<Unit> color;    ///< of the vertices, multiplies the base colour
-
-  [[nodiscard]] Vec2<typename N::TexCoord> uv(int set) const {
-    const UvSet<N>& uv = uv_sets[static_cast<std::size_t>(set)];
-    return uv[corners.x] * weights.x + uv[corners.y] * weights.y + uv[corners.z] * weights.z;
-  }
-};
 
 template <class N>
 struct BakedMaterial {
@@ -46,18 +24,26 @@ struct BakedMaterial {
   Vec3<Unit> base_color;
   Unit metallic;
   Unit roughness;
-  Vec3<Unit> dielectric_f0;
-  Unit dielectric_f90;
+  Vec3<Unit> dielectric_f0;  ///< before `specular` weighs it; may exceed 1
+  Unit specular;
   Unit transmission;
   Transmission kind;
   Unit ior;
+  bool solid = false;        ///< a boundary: what crosses it is inside, or out again
+  Absorption<N> absorption;  ///< inside
   Vec3<Radiance> emission;
   bool emits = false;
   bool two_sided = false;
   std::optional<Texture<N>> base_color_texture;
   std::optional<Texture<N>> metallic_roughness_texture;
+  std::optional<Texture<N>> specular_texture;  ///< its alpha
+  std::optional<Texture<N>> specular_color_texture;
   std::optional<Texture<N>> transmission_texture;
   std::optional<Texture<N>> emission_texture;
+  std::optional<NormalMap<N>> normal_map;
+  Coverage<N> coverage;
+  BakedSheen<N> sheen;
+  BakedClearcoat<N> coat;
 
   /// `inside`: seen from behind, where a refracting solid is.
   [[nodiscard]] SurfaceScattering<N> scattering(const SurfaceCoordinates<N>& at, bool inside,
@@ -73,18 +59,25 @@ struct BakedMaterial {
       rough *= texel.y;
       metal *= texel.z;
     }
+    Vec3<Unit> f0 = dielectric_f0;
+    Unit f90 = specular;
+    if (specular_color_texture) f0 = f0 * sample(*specular_color_texture, at, srgb);
+    if (specular_texture) f90 *= specular_texture->sample_alpha(at.uv(specular_texture->uv_set), linear);
+    f0 = Vec3<Unit>(std::min(f0.x, Unit(1)), std::min(f0.y, Unit(1)), std::min(f0.z, Unit(1))) * f90;
     if (transmission_texture) through *= sample(*transmission_texture, at, linear).x;
     const Vec3<Unit> dielectric = base * (1 - metal);
     const Unit alpha = rough * rough;
     SurfaceScattering<N> s;
     s.diffuse = dielectric * (1 - through);
-    s.f0 = dielectric_f0 * (1 - metal) + base * metal;
-    s.f90 = dielectric_f90 * (1 - metal) + metal;
+    s.f0 = f0 * (1 - metal) + base * metal;
+    s.f90 = f90 * (1 - metal) + metal;
     s.transmit = dielectric * through;
     s.transmission = kind;
     s.eta = inside ? Unit(1) / ior : ior;
     s.smooth = alpha < smooth_below<N>();
     s.alpha = s.smooth ? Unit(1) : alpha;
+    if (sheen.is_there()) s.sheen = sheen.at(at, srgb, linear);
+    if (coat.is_there()) s.coat = coat.at(at, linear);
     return s;
   }
 

@@ -18,8 +18,10 @@ struct Extension {
 
 constexpr Extension kExtensions[] = {
     {"KHR_lights_punctual", "", true},
+    {"KHR_materials_clearcoat", "", true},
     {"KHR_materials_emissive_strength", "", true},
     {"KHR_materials_ior", "", true},
+    {"KHR_materials_sheen", "", true},
     {"KHR_materials_specular", "", true},
     {"KHR_materials_transmission", "", true},
     {"KHR_materials_unlit", "", true},

@@ -1,5 +1,6 @@
 #include "scene/gltf_geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
@@ -63,7 +64,9 @@ void keep_used_vertices(Primitive& primitive) {
   }
   primitive.positions = picked(primitive.positions, used);
   primitive.normals = picked(primitive.normals, used);
+  primitive.tangents = picked(primitive.tangents, used);
   primitive.colors = picked(primitive.colors, used);
+  primitive.alphas = picked(primitive.alphas, used);
   for (auto& uv : primitive.uv) uv = picked(uv, used);
 }
 
@@ -107,7 +110,11 @@ class PrimitiveReader {
     primitive.normals = read_attribute<3>("NORMAL", primitive.positions.size());
     primitive.uv = {read_attribute<2>("TEXCOORD_0", primitive.positions.size()),
                     read_attribute<2>("TEXCOORD_1", primitive.positions.size())};
-    primitive.colors = read_colors(primitive.positions.size());
+    read_colors(primitive);
+    // Flat triangles are not what the tangents were made for (glTF 2.0, section 3.7.2.1).
+    if (!primitive.normals.empty()) {
+      primitive.tangents = read_attribute<4>("TANGENT", primitive.positions.size());
+    }
     keep_used_vertices(primitive);
     make_normals_unit(primitive);
     return primitive;
@@ -155,19 +162,23 @@ class PrimitiveReader {
     return accessors_.read_vectors<N>(source_.attributes.at(name), attribute_place(name));
   }
 
-  // COLOR_0 is RGB or RGBA; its alpha belongs to blending.
-  std::vector<glm::vec3> read_colors(std::size_t vertices) {
-    if (!has_attribute("COLOR_0", vertices)) return {};
+  // COLOR_0 is RGB or RGBA.
+  void read_colors(Primitive& primitive) {
+    if (!has_attribute("COLOR_0", primitive.positions.size())) return;
     const int accessor = source_.attributes.at("COLOR_0");
     const std::string place = attribute_place("COLOR_0");
-    std::vector<glm::vec3> colors;
     if (accessors_.components(accessor) == 4) {
-      for (const glm::vec4& color : accessors_.read_vectors<4>(accessor, place)) colors.emplace_back(color);
+      for (const glm::vec4& color : accessors_.read_vectors<4>(accessor, place)) {
+        primitive.colors.emplace_back(color);
+        primitive.alphas.push_back(std::clamp(color.a, 0.0F, 1.0F));
+      }
+      if (std::ranges::all_of(primitive.alphas, [](float alpha) { return alpha == 1.0F; })) {
+        primitive.alphas.clear();
+      }
     } else {
-      colors = accessors_.read_vectors<3>(accessor, place);
+      primitive.colors = accessors_.read_vectors<3>(accessor, place);
     }
-    for (glm::vec3& color : colors) color = glm::clamp(color, 0.0F, 1.0F);
-    return colors;
+    for (glm::vec3& color : primitive.colors) color = glm::clamp(color, 0.0F, 1.0F);
   }
 
   GltfModel& gltf_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 #include "scene/default_environment.h"
 #include "scene/framing.h"
@@ -13,6 +14,7 @@
 #include "scene/gltf_materials.h"
 #include "scene/gltf_model.h"
 #include "scene/gltf_nodes.h"
+#include "scene/hdr_file.h"
 
 namespace vitrine {
 namespace {
@@ -42,7 +44,7 @@ class GltfImport {
       gltf_.note("no camera: the scene is framed automatically");
     }
     scene_.lights = std::move(placements.lights);
-    scene_.environment = own_environment();
+    read_own_environment();
     const bool dark = !is_lit();
     materials_.move_into(scene_);
     if (dark) light_with_default_sky();
@@ -99,23 +101,39 @@ class GltfImport {
     return bounds;
   }
 
-  std::optional<Environment> own_environment() const {
+  // A gradient, or a picture.
+  void read_own_environment() {
     const int scene = default_gltf_scene(gltf_.model);
-    if (scene < 0) return std::nullopt;
+    if (scene < 0) return;
     const tinygltf::Value& extras = gltf_.model.scenes[static_cast<std::size_t>(scene)].extras;
-    if (!extras.Has("vitrine") || !extras.Get("vitrine").Has("environment")) return std::nullopt;
+    if (!extras.Has("vitrine") || !extras.Get("vitrine").Has("environment")) return;
     const tinygltf::Value& described = extras.Get("vitrine").Get("environment");
+    const std::string place = "/scenes/" + std::to_string(scene) + "/extras/vitrine/environment";
+    if (described.Has("image")) {
+      const std::string image = place + "/image";
+      const auto bytes = gltf_.file.read_uri(described.Get("image").Get<std::string>(), image);
+      EnvironmentPicture picture = decode_hdr(bytes, gltf_.file.path(), image);
+      const auto number = [&](const char* key, double fallback) {
+        return described.Has(key) ? described.Get(key).GetNumberAsDouble() : fallback;
+      };
+      picture.nits = number("nits", picture.nits);
+      picture.rotation_rad = number("rotation", 0.0) * std::numbers::pi / 180.0;
+      scene_.environment_picture = std::move(picture);
+      return;
+    }
     const auto nits = [&](const char* key) {
+      if (!described.Has(key))
+        gltf_.file.refuse(place, "\"" + std::string(key) + "\" is missing", "add it, or name an \"image\"");
       glm::vec3 color;
       for (int i = 0; i < 3; ++i)
         color[i] = static_cast<float>(described.Get(key).Get(i).GetNumberAsDouble());
       return color;
     };
-    return Environment{nits("zenith"), nits("horizon"), nits("ground")};
+    scene_.environment = Environment{nits("zenith"), nits("horizon"), nits("ground")};
   }
 
   bool is_lit() const {
-    if (scene_.environment || !scene_.lights.empty()) return true;
+    if (scene_.environment || scene_.environment_picture || !scene_.lights.empty()) return true;
     const auto& materials = materials_.materials();
     for (std::size_t i = 0; i < materials.size(); ++i) {
       if (is_lamp(materials[i]) && !materials_.is_unlit(static_cast<int>(i))) return true;
@@ -132,6 +150,7 @@ class GltfImport {
 
   void light_with_default_sky() {
     scene_.environment = kDefaultEnvironment;
+    scene_.has_default_light = true;
     gltf_.note("no light: a default sky of 1000 nits is added");
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
       if (materials_.is_unlit(static_cast<int>(i)))

@@ -50,6 +50,14 @@ class Members {
   const Value* object_ = nullptr;
 };
 
+tinygltf::TextureInfo texture_info(const tinygltf::NormalTextureInfo& normal) {
+  tinygltf::TextureInfo info;
+  info.index = normal.index;
+  info.texCoord = normal.texCoord;
+  info.extensions = normal.extensions;
+  return info;
+}
+
 glm::vec3 color_of(const std::vector<double>& values) {
   return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2])};
 }
@@ -98,7 +106,10 @@ Material GltfMaterials::read(const tinygltf::Material& source, const std::string
   material.base_color_texture =
       read_texture(pbr.baseColorTexture, place + "/pbrMetallicRoughness/baseColorTexture");
   material.double_sided = source.doubleSided;
-  note_what_is_ignored(source, place);
+  read_alpha(source, material);
+  if (source.occlusionTexture.index >= 0) {
+    gltf_.note(place + ": occlusionTexture ignored, occlusion is traced");
+  }
 
   if (source.extensions.count("KHR_materials_unlit") != 0) {
     gltf_.note(place + " is unlit: shown as emission of its base colour, vertex colours left out");
@@ -117,7 +128,10 @@ Material GltfMaterials::read(const tinygltf::Material& source, const std::string
       read_texture(pbr.metallicRoughnessTexture, place + "/pbrMetallicRoughness/metallicRoughnessTexture");
   material.emission = color_of(source.emissiveFactor);
   material.emission_texture = read_texture(source.emissiveTexture, place + "/emissiveTexture");
+  material.normal_texture = read_texture(texture_info(source.normalTexture), place + "/normalTexture");
+  material.normal_scale = static_cast<float>(source.normalTexture.scale);
   read_extensions(source, place, material);
+  read_layers(source, place, material);
   return material;
 }
 
@@ -141,9 +155,11 @@ void GltfMaterials::read_extensions(const tinygltf::Material& source, const std:
   const Members specular(extensions, "KHR_materials_specular");
   material.specular = static_cast<float>(specular.number("specularFactor", 1.0));
   material.specular_color = specular.numbers<3>("specularColorFactor", glm::vec3(1.0F));
-  if (specular.has("specularTexture") || specular.has("specularColorTexture")) {
-    gltf_.note(place + ": specular textures ignored, the factors are used");
-  }
+  const std::string specular_place = place + "/extensions/KHR_materials_specular/";
+  material.specular_texture =
+      read_texture(specular.texture("specularTexture"), specular_place + "specularTexture");
+  material.specular_color_texture =
+      read_texture(specular.texture("specularColorTexture"), specular_place + "specularColorTexture");
 
   const Members transmission(extensions, "KHR_materials_transmission");
   material.transmission = static_cast<float>(transmission.number("transmissionFactor", 0.0));
@@ -153,7 +169,48 @@ void GltfMaterials::read_extensions(const tinygltf::Material& source, const std:
 
   const Members volume(extensions, "KHR_materials_volume");
   material.refracts = volume.number("thicknessFactor", 0.0) > 0.0;
-  if (volume.has("attenuationDistance")) gltf_.note(place + ": attenuation inside of the volume ignored");
+  material.attenuation_color = volume.numbers<3>("attenuationColor", glm::vec3(1.0F));
+  if (volume.has("attenuationDistance")) {
+    material.attenuation_distance = static_cast<float>(volume.number("attenuationDistance", 0.0));
+  }
+  if (volume.has("thicknessTexture")) {
+    gltf_.note(place + ": thicknessTexture ignored, the way through the solid is traced");
+  }
+}
+
+void GltfMaterials::read_layers(const tinygltf::Material& source, const std::string& place,
+                                Material& material) {
+  const Members sheen(source.extensions, "KHR_materials_sheen");
+  const std::string sheen_place = place + "/extensions/KHR_materials_sheen/";
+  material.sheen_color = sheen.numbers<3>("sheenColorFactor", glm::vec3(0.0F));
+  material.sheen_color_texture =
+      read_texture(sheen.texture("sheenColorTexture"), sheen_place + "sheenColorTexture");
+  material.sheen_roughness = static_cast<float>(sheen.number("sheenRoughnessFactor", 0.0));
+  material.sheen_roughness_texture =
+      read_texture(sheen.texture("sheenRoughnessTexture"), sheen_place + "sheenRoughnessTexture");
+
+  const Members coat(source.extensions, "KHR_materials_clearcoat");
+  const std::string coat_place = place + "/extensions/KHR_materials_clearcoat/";
+  material.clearcoat = static_cast<float>(coat.number("clearcoatFactor", 0.0));
+  material.clearcoat_texture =
+      read_texture(coat.texture("clearcoatTexture"), coat_place + "clearcoatTexture");
+  material.clearcoat_roughness = static_cast<float>(coat.number("clearcoatRoughnessFactor", 0.0));
+  material.clearcoat_roughness_texture =
+      read_texture(coat.texture("clearcoatRoughnessTexture"), coat_place + "clearcoatRoughnessTexture");
+  if (coat.has("clearcoatNormalTexture")) {
+    gltf_.note(place + ": clearcoatNormalTexture ignored, the coat follows the surface");
+  }
+  if (material.clearcoat > 0.0F && material.emission != glm::vec3(0.0F)) {
+    gltf_.note(place + ": what it emits is not dimmed by its clear coat");
+  }
+}
+
+void GltfMaterials::read_alpha(const tinygltf::Material& source, Material& material) {
+  if (source.alphaMode == "OPAQUE") return;
+  material.alpha_mode = source.alphaMode == "MASK" ? AlphaMode::kMask : AlphaMode::kBlend;
+  material.alpha = static_cast<float>(source.pbrMetallicRoughness.baseColorFactor[3]);
+  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
+  material.alpha_texture = material.base_color_texture;
 }
 
 TextureUse GltfMaterials::read_texture(const tinygltf::TextureInfo& info, const std::string& place) {
@@ -179,14 +236,6 @@ TextureUse GltfMaterials::read_texture(const tinygltf::TextureInfo& info, const 
   }
   use.image = images_.use(texture.source);
   return use;
-}
-
-void GltfMaterials::note_what_is_ignored(const tinygltf::Material& source, const std::string& place) {
-  if (source.alphaMode != "OPAQUE")
-    gltf_.note(place + ": alphaMode " + source.alphaMode + " ignored, shown opaque");
-  if (source.normalTexture.index >= 0) gltf_.note(place + ": normalTexture ignored");
-  if (source.occlusionTexture.index >= 0)
-    gltf_.note(place + ": occlusionTexture ignored, occlusion is traced");
 }
 
 }  // namespace vitrine

@@ -28,7 +28,8 @@ class GltfMaterials {
   Material read(const tinygltf::Material& source, const std::string& place);
   TextureUse read_texture(const tinygltf::TextureInfo& info, const std::string& place);
   void read_extensions(const tinygltf::Material& source, const std::string& place, Material& material);
-  void note_what_is_ignored(const tinygltf::Material& source, const std::string& place);
+  void read_layers(const tinygltf::Material& source, const std::string& place, Material& material);
+  static void read_alpha(const tinygltf::Material& source, Material& material);
 
   GltfModel& gltf_;
   GltfImages images_;

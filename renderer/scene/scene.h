@@ -35,11 +35,24 @@ struct TextureUse {
   explicit operator bool() const { return image >= 0; }
 };
 
+/// How much of a surface is there, by its alpha.
+enum class AlphaMode : std::uint8_t {
+  kOpaque,  ///< all of it
+  kMask,    ///< all of it where alpha reaches the cutoff, nothing elsewhere
+  kBlend    ///< that share of it
+};
+
 /// glTF 2.0 metallic-roughness with the extensions that vitrine reads. Factors multiply textures.
 struct Material {
   std::string name;
   glm::vec3 base_color{1.0F};
   TextureUse base_color_texture;  ///< sRGB
+  AlphaMode alpha_mode = AlphaMode::kOpaque;
+  float alpha = 1.0F;
+  float alpha_cutoff = 0.5F;  ///< kMask; beyond 1: nothing is there
+  TextureUse alpha_texture;   ///< linear: A
+  TextureUse normal_texture;  ///< linear: a tangent-space normal in RGB, 0..255 for -1..1
+  float normal_scale = 1.0F;  ///< of its X and Y
   float metallic = 1.0F;
   float roughness = 1.0F;
   TextureUse metallic_roughness_texture;  ///< linear: G roughness, B metallic
@@ -47,11 +60,23 @@ struct Material {
   TextureUse emission_texture;            ///< sRGB
   bool double_sided = false;              ///< emits from both sides (both sides always reflect)
   float ior = 1.5F;
-  float specular = 1.0F;  ///< 0: pure Lambert
+  float specular = 1.0F;        ///< 0: pure Lambert
+  TextureUse specular_texture;  ///< linear: A
   glm::vec3 specular_color{1.0F};
+  TextureUse specular_color_texture;  ///< sRGB
   float transmission = 0.0F;
-  TextureUse transmission_texture;  ///< linear: R
-  bool refracts = false;            ///< volume thickness > 0: a solid that refracts; otherwise a thin wall
+  TextureUse transmission_texture;    ///< linear: R
+  bool refracts = false;              ///< volume thickness > 0: a solid that refracts; otherwise a thin wall
+  glm::vec3 attenuation_color{1.0F};  ///< of white light after attenuation_distance inside of the solid
+  std::optional<float> attenuation_distance;  ///< metres; nothing: the solid is clear
+  glm::vec3 sheen_color{0.0F};
+  TextureUse sheen_color_texture;  ///< sRGB
+  float sheen_roughness = 0.0F;
+  TextureUse sheen_roughness_texture;  ///< linear: A
+  float clearcoat = 0.0F;
+  TextureUse clearcoat_texture;  ///< linear: R
+  float clearcoat_roughness = 0.0F;
+  TextureUse clearcoat_roughness_texture;  ///< linear: G
 };
 
 /// Triangles of one material, in the mesh's own space. Empty attribute arrays mean "not given".
@@ -59,9 +84,13 @@ struct Primitive {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;            ///< unit; empty: flat shading
   std::array<std::vector<glm::vec2>, 2> uv;  ///< texture coordinate sets 0 and 1
-  std::vector<glm::vec3> colors;             ///< linear, multiplies the base colour
-  std::vector<glm::uvec3> triangles;         ///< indices into positions
-  int material = -1;                         ///< index into Scene::materials; -1: glTF's default material
+  /// Along growing u of the normal map, perpendicular to the normal; w: cross(normal, tangent) times it, +-1,
+  /// points along falling v. Empty: as the texture coordinates say.
+  std::vector<glm::vec4> tangents;
+  std::vector<glm::vec3> colors;      ///< linear, multiplies the base colour
+  std::vector<float> alphas;          ///< multiplies alpha
+  std::vector<glm::uvec3> triangles;  ///< indices into positions
+  int material = -1;                  ///< index into Scene::materials; -1: glTF's default material
 };
 
 struct Mesh {
@@ -107,6 +136,16 @@ struct Environment {
   glm::vec3 ground{0.0F};
 };
 
+/// A picture of all directions, equirectangular, rows from top to bottom. Its middle is the direction +x,
+/// what is to the right of the middle is +z (as in Blender and three.js, exported to glTF).
+struct EnvironmentPicture {
+  int width = 0;
+  int height = 0;                 ///< half the width
+  std::vector<glm::vec3> values;  ///< linear Rec.709
+  double nits = 1000.0;           ///< that the value 1 stands for
+  double rotation_rad = 0.0;      ///< around +y: a quarter turn brings the middle to -z
+};
+
 struct Scene {
   std::string file;  ///< where it was read from, for messages
   std::string name;
@@ -117,6 +156,8 @@ struct Scene {
   std::vector<CameraView> cameras;  ///< never empty after import: a camera is made where the file has none
   std::vector<PunctualLight> lights;
   std::optional<Environment> environment;
+  std::optional<EnvironmentPicture> environment_picture;  ///< counts instead of `environment`
+  bool has_default_light = false;  ///< the file brings none: `environment` is the default one
   std::vector<std::string>
       notes;  ///< what was ignored or approximated and why, a line each, for `vitrine info`
 };

@@ -1,6 +1,8 @@
 // The hierarchy against all triangles one by one: it may leave out nothing and add nothing.
 #include "geometry/bvh.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "geometry/meshes.h"
@@ -9,14 +11,17 @@
 namespace vitrine {
 namespace {
 
-template <class N>
-Hit<N> brute_force(const Bvh<N>& bvh, const Ray<N>& ray) {
+template <class N, class Counts>
+Hit<N> brute_force(const Bvh<N>& bvh, const Ray<N>& ray, const Counts& counts) {
   Hit<N> hit{.t = ray.t_max};
   const ShearedRay<N> sheared(ray);
   for (std::uint32_t i = 0; i < bvh.triangles().size(); ++i) {
     const glm::uvec3& t = bvh.triangles()[i];
-    if (sheared.intersect(bvh.positions()[t.x], bvh.positions()[t.y], bvh.positions()[t.z], hit))
-      hit.triangle = i;
+    Hit<N> nearer = hit;
+    if (!sheared.intersect(bvh.positions()[t.x], bvh.positions()[t.y], bvh.positions()[t.z], nearer))
+      continue;
+    nearer.triangle = i;
+    if (counts(ray, nearer)) hit = nearer;
   }
   return hit;
 }
@@ -52,21 +57,24 @@ class BvhTest : public testing::Test {
     return {from_host<Length>(origin), from_host<Unit>(d), from_host<Length>(t_max)};
   }
 
-  static void compare_random_rays(const TestMesh& mesh) {
+  static std::vector<Ray<N>> random_rays(const TestMesh& mesh) {
     RandomInputs random(1);
     std::vector<Ray<N>> rays;
     for (int i = 0; i < 4000; ++i) rays.push_back(random_ray(mesh, random));
-    compare(build(mesh), rays, 800);
+    return rays;
   }
+  static void compare_random_rays(const TestMesh& mesh) { compare(build(mesh), random_rays(mesh), 800); }
 
-  static void compare(const Bvh<N>& bvh, const std::vector<Ray<N>>& rays, std::size_t fewest_hits) {
+  template <class Counts = EveryHit>
+  static void compare(const Bvh<N>& bvh, const std::vector<Ray<N>>& rays, std::size_t fewest_hits,
+                      const Counts& counts = {}) {
     std::vector<Hit<N>> hits(rays.size());
     std::vector<std::uint8_t> occluded(rays.size(), 2);
-    bvh.closest(rays, hits);
-    bvh.occluded(rays, occluded);
+    bvh.closest(rays, hits, counts);
+    bvh.occluded(rays, occluded, counts);
     std::size_t found = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const Hit<N> exact = brute_force(bvh, rays[i]);
+      const Hit<N> exact = brute_force(bvh, rays[i], counts);
       ASSERT_EQ(static_cast<bool>(hits[i]), static_cast<bool>(exact)) << "ray " << i;
       ASSERT_EQ(occluded[i], exact ? 1 : 0) << "ray " << i;
       ASSERT_EQ(hits[i].t, exact.t) << "ray " << i;
@@ -125,6 +133,26 @@ TYPED_TEST(BvhTest, Degenerate) {
     mesh.triangles.insert(mesh.triangles.end(), {{t.x, t.x, t.x}, {t.x, t.y, t.y}, t});
   }
   this->compare_random_rays(mesh);
+}
+
+// A hit that does not count lets the ray go on to the next, whatever the decision looks at.
+TYPED_TEST(BvhTest, OnlyHitsThatCount) {
+  using R = Ray<TypeParam>;
+  using H = Hit<TypeParam>;
+  const TestMesh mesh = soup(500, 0.5, 6);
+  const Bvh<TypeParam> bvh = this->build(mesh);
+  const std::vector<R> rays = this->random_rays(mesh);
+  this->compare(bvh, rays, 800, [](const R&, const H& hit) { return hit.triangle % 3 == 0; });
+  this->compare(bvh, rays, 800, [](const R&, const H& hit) { return hit.u < hit.v; });
+  this->compare(bvh, rays, 400, [](const R& ray, const H&) { return ray.direction.x > 0; });
+  this->compare(bvh, rays, 0, [](const R&, const H&) { return false; });
+  const auto hits = [&](const auto& counts) {
+    std::vector<H> found(rays.size());
+    bvh.closest(rays, found, counts);
+    return std::ranges::count_if(found, [](const H& hit) { return bool{hit}; });
+  };
+  EXPECT_LT(hits([](const R&, const H& hit) { return hit.triangle % 3 == 0; }), hits(EveryHit{}));
+  EXPECT_EQ(hits([](const R&, const H&) { return false; }), 0);
 }
 
 TYPED_TEST(BvhTest, ManyAroundOneCenter) {

@@ -35,7 +35,7 @@ TEST(Framing, LooksFromTheFrontRightAndAbove) {
 
 TEST(Framing, BoundsFollowTransforms) {
   Scene scene;
-  scene.meshes.push_back({"", {{{glm::vec3(0), glm::vec3(1, 2, 3)}, {}, {}, {}, {}, -1}}});
+  scene.meshes.emplace_back().primitives.emplace_back().positions = {glm::vec3(0), glm::vec3(1, 2, 3)};
   glm::dmat4 mirrored_and_moved(1.0);
   mirrored_and_moved[0][0] = -1.0;
   mirrored_and_moved[3] = glm::dvec4(10, 0, 0, 1);

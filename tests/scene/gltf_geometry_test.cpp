@@ -113,6 +113,34 @@ TEST_F(GltfGeometryTest, ReadsNormalisedAndQuantisedIntegers) {
   EXPECT_NEAR(read.colors[0].z, 0.2, 1e-7);
 }
 
+// Tangents are made for the normals beside them.
+TEST_F(GltfGeometryTest, ReadsTangentsWhereThereAreNormals) {
+  GltfDocument document = triangle_document();
+  const int normals = document.add_positions({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  const int tangents =
+      document.add_accessor(std::vector<float>{1, 0, 0, -1, 0, 1, 0, 1, 1, 0, 0, 1}, kFloat, "VEC4", 3);
+  json& attributes = document.root["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TANGENT"] = tangents;
+  EXPECT_TRUE(only_primitive(import(document)).tangents.empty());
+  attributes["NORMAL"] = normals;
+  const Scene scene = import(document);
+  ASSERT_EQ(only_primitive(scene).tangents.size(), 3U);
+  EXPECT_EQ(only_primitive(scene).tangents[0], glm::vec4(1, 0, 0, -1));
+  EXPECT_EQ(only_primitive(scene).tangents[1], glm::vec4(0, 1, 0, 1));
+}
+
+TEST_F(GltfGeometryTest, ReadsTheAlphaOfColours) {
+  GltfDocument document = triangle_document();
+  json& attributes = document.root["meshes"][0]["primitives"][0]["attributes"];
+  const auto alphas = [&](const std::vector<float>& rgba) {
+    attributes["COLOR_0"] = document.add_accessor(rgba, kFloat, "VEC4", 3);
+    return only_primitive(import(document)).alphas;
+  };
+  EXPECT_EQ(alphas({1, 1, 1, 0.25F, 1, 1, 1, 1, 1, 1, 1, 7}), (std::vector<float>{0.25F, 1, 1}));
+  EXPECT_TRUE(alphas({1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1}).empty()) << "1 everywhere is no alpha";
+  EXPECT_EQ(only_primitive(import(document)).colors[1], glm::vec3(1, 0, 1));
+}
+
 GltfDocument sparse_document() {
   GltfDocument document = triangle_document();
   const int indices = document.add_view(std::vector<std::uint8_t>{2});

@@ -67,6 +67,82 @@ TEST_F(GltfMaterialsTest, ReadsFactorsAndExtensions) {
   EXPECT_TRUE(material.refracts);
 }
 
+// A member of an extension of the only material, with the one texture.
+GltfDocument with_extension(const std::string& name, const json& members) {
+  GltfDocument document = with_texture({{"index", 0}});
+  document.root["materials"][0]["extensions"][name] = members;
+  return document;
+}
+
+TEST_F(GltfMaterialsTest, ReadsSpecularTextures) {
+  const Scene scene =
+      import(with_extension("KHR_materials_specular", {{"specularTexture", {{"index", 0}, {"texCoord", 1}}},
+                                                       {"specularColorTexture", {{"index", 0}}}}));
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.specular, 1.0F);
+  EXPECT_TRUE(material.specular_texture);
+  EXPECT_EQ(material.specular_texture.texcoord, 1);
+  EXPECT_TRUE(material.specular_color_texture);
+  EXPECT_FALSE(has_note(scene, "specular"));
+}
+
+TEST_F(GltfMaterialsTest, ReadsSheen) {
+  GltfDocument document =
+      with_extension("KHR_materials_sheen", {{"sheenColorFactor", {0.5, 0.25, 1}},
+                                             {"sheenColorTexture", {{"index", 0}}},
+                                             {"sheenRoughnessFactor", 0.75},
+                                             {"sheenRoughnessTexture", {{"index", 0}, {"texCoord", 1}}}});
+  document.root["extensionsUsed"] = {"KHR_materials_sheen"};
+  document.root["extensionsRequired"] = {"KHR_materials_sheen"};
+  const Scene scene = import(document);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.sheen_color, glm::vec3(0.5F, 0.25F, 1));
+  EXPECT_TRUE(material.sheen_color_texture);
+  EXPECT_EQ(material.sheen_roughness, 0.75F);
+  EXPECT_EQ(material.sheen_roughness_texture.texcoord, 1);
+  EXPECT_FALSE(has_note(scene, "sheen"));
+}
+
+TEST_F(GltfMaterialsTest, ReadsClearcoat) {
+  GltfDocument document = with_extension("KHR_materials_clearcoat",
+                                         {{"clearcoatFactor", 0.5},
+                                          {"clearcoatTexture", {{"index", 0}}},
+                                          {"clearcoatRoughnessFactor", 0.25},
+                                          {"clearcoatRoughnessTexture", {{"index", 0}, {"texCoord", 1}}},
+                                          {"clearcoatNormalTexture", {{"index", 0}, {"scale", 2}}}});
+  document.root["extensionsUsed"] = {"KHR_materials_clearcoat"};
+  document.root["extensionsRequired"] = {"KHR_materials_clearcoat"};
+  document.root["materials"][0]["emissiveFactor"] = {1, 1, 1};
+  const Scene scene = import(document);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.clearcoat, 0.5F);
+  EXPECT_TRUE(material.clearcoat_texture);
+  EXPECT_EQ(material.clearcoat_roughness, 0.25F);
+  EXPECT_EQ(material.clearcoat_roughness_texture.texcoord, 1);
+  EXPECT_TRUE(has_note(scene, "clearcoatNormalTexture ignored"));
+  EXPECT_TRUE(has_note(scene, "not dimmed by its clear coat"));
+  EXPECT_FALSE(has_note(scene, "extension KHR_materials_clearcoat"));
+}
+
+TEST_F(GltfMaterialsTest, RefusesWrongValuesOfTheLayers) {
+  const std::tuple<const char*, json, const char*> cases[] = {
+      {"KHR_materials_sheen",
+       {{"sheenColorFactor", {0.5, 1.5, 0}}},
+       "/sheenColorFactor/1: 1.5 is more than 1"},
+      {"KHR_materials_sheen", {{"sheenColorFactor", {0.5}}}, "/sheenColorFactor: has 1 numbers, not 3"},
+      {"KHR_materials_sheen", {{"sheenRoughnessFactor", -1}}, "/sheenRoughnessFactor: -1 is less than 0"},
+      {"KHR_materials_sheen", {{"sheenColorTexture", {{"index", 7}}}}, "refers to /textures/7"},
+      {"KHR_materials_clearcoat", {{"clearcoatFactor", 2}}, "/clearcoatFactor: 2 is more than 1"},
+      {"KHR_materials_clearcoat", {{"clearcoatRoughnessFactor", "x"}}, "is string where a number belongs"},
+      {"KHR_materials_clearcoat", {{"clearcoatTexture", json::object()}}, "\"index\" is missing"},
+      {"KHR_materials_specular", {{"specularTexture", 3}}, "is 3 where an object belongs"}};
+  for (const auto& [name, members, problem] : cases) {
+    const std::string message = refusal(with_extension(name, members));
+    EXPECT_NE(message.find(problem), std::string::npos) << message;
+    EXPECT_NE(message.find(std::string("/materials/0/extensions/") + name), std::string::npos) << message;
+  }
+}
+
 TEST_F(GltfMaterialsTest, TransmissionWithoutThicknessIsAThinWall) {
   EXPECT_FALSE(import(with_material({{"extensions",
                                       {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
@@ -179,16 +255,72 @@ TEST_F(GltfMaterialsTest, DoesNotReadImagesThatNothingShows) {
   EXPECT_TRUE(import(document).images.empty());
 }
 
+TEST_F(GltfMaterialsTest, AlphaBelongsToTheBaseColour) {
+  GltfDocument document = with_texture({{"index", 0}, {"texCoord", 1}});
+  document.root["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.25};
+  const auto imported = [&] { return import(document).materials.at(0); };
+  EXPECT_EQ(imported().alpha_mode, AlphaMode::kOpaque);
+  document.root["materials"][0]["alphaMode"] = "BLEND";
+  EXPECT_EQ(imported().alpha_mode, AlphaMode::kBlend);
+  EXPECT_EQ(imported().alpha, 0.25F);
+  EXPECT_EQ(imported().alpha_texture.image, 0);
+  EXPECT_EQ(imported().alpha_texture.texcoord, 1);
+  document.root["materials"][0]["alphaMode"] = "MASK";
+  EXPECT_EQ(imported().alpha_mode, AlphaMode::kMask);
+  EXPECT_EQ(imported().alpha_cutoff, 0.5F);
+  document.root["materials"][0]["alphaCutoff"] = 0.75;
+  EXPECT_EQ(imported().alpha_cutoff, 0.75F);
+  document.root["materials"][0]["extensions"] = {{"KHR_materials_unlit", json::object()}};
+  EXPECT_EQ(imported().alpha_mode, AlphaMode::kMask);
+  EXPECT_EQ(imported().alpha, 0.25F);
+  EXPECT_EQ(imported().alpha_texture.image, 0);
+  EXPECT_FALSE(has_note(import(document), "alpha"));
+}
+
+TEST_F(GltfMaterialsTest, ReadsANormalMap) {
+  GltfDocument document = with_texture({{"index", 0}});
+  document.root["materials"][0]["normalTexture"] = {
+      {"index", 0},
+      {"texCoord", 1},
+      {"scale", -0.5},
+      {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.25}}}}}}};
+  const Scene scene = import(document);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.normal_texture.image, 0);
+  EXPECT_EQ(material.normal_texture.texcoord, 1);
+  EXPECT_EQ(material.normal_texture.transform * glm::vec3(0, 0, 1), glm::vec3(0.5F, 0.25F, 1));
+  EXPECT_EQ(material.normal_scale, -0.5F);
+  EXPECT_FALSE(has_note(scene, "normalTexture"));
+  document.root["materials"][0]["normalTexture"] = {{"index", 0}};
+  EXPECT_EQ(import(document).materials.at(0).normal_scale, 1.0F);
+}
+
+TEST_F(GltfMaterialsTest, ReadsTheAbsorptionOfASolid) {
+  GltfDocument document = with_material(
+      {{"extensions",
+        {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+         {"KHR_materials_volume", {{"thicknessFactor", 1}, {"attenuationColor", {0.5, 0, 1}}}}}}});
+  EXPECT_FALSE(import(document).materials.at(0).attenuation_distance) << "infinite by default";
+  json& volume = document.root["materials"][0]["extensions"]["KHR_materials_volume"];
+  volume["attenuationDistance"] = 0.25;
+  const Material material = import(document).materials.at(0);
+  EXPECT_EQ(material.attenuation_color, glm::vec3(0.5F, 0, 1));
+  EXPECT_EQ(material.attenuation_distance, 0.25F);
+  EXPECT_FALSE(has_note(import(document), "volume"));
+  document.root["textures"] = json::array({{{"source", 0}}});
+  document.root["images"] = json::array({{{"uri", kRedAndBluePng}}});
+  volume["thicknessTexture"] = {{"index", 0}};
+  EXPECT_TRUE(has_note(import(document), "thicknessTexture ignored, the way through the solid is traced"));
+}
+
 TEST_F(GltfMaterialsTest, NotesWhatItLeavesOut) {
   GltfDocument document = with_texture({{"index", 0}});
-  document.root["materials"][0]["alphaMode"] = "BLEND";
-  document.root["materials"][0]["normalTexture"] = {{"index", 0}};
   document.root["materials"][0]["occlusionTexture"] = {{"index", 0}};
   document.root["materials"][0]["emissiveTexture"] = {{"index", 0}, {"texCoord", 2}};
-  document.root["extensionsUsed"] = {"KHR_materials_clearcoat"};
+  document.root["extensionsUsed"] = {"KHR_materials_iridescence"};
   const Scene scene = import(document);
-  for (const char* part : {"alphaMode BLEND", "normalTexture", "occlusionTexture",
-                           "texture coordinate sets 0 and 1", "KHR_materials_clearcoat"}) {
+  for (const char* part :
+       {"occlusionTexture", "texture coordinate sets 0 and 1", "KHR_materials_iridescence"}) {
     EXPECT_TRUE(has_note(scene, part)) << part;
   }
 }

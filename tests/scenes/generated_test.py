@@ -13,7 +13,7 @@ import zlib
 from pathlib import Path
 
 SCENES = Path(sys.argv.pop(1))
-MADE = {".gltf", ".bin", ".png"}
+MADE = {".gltf", ".bin", ".png", ".hdr"}
 
 
 def unpacked(png):
