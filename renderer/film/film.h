@@ -9,6 +9,10 @@
 
 #include <glm/glm.hpp>
 
+#include "numeric/color.h"
+#include "numeric/fixed.h"
+#include "numeric/wide.h"
+
 namespace vitrine {
 
 /// Binary digits of a film value behind the point: 1.0, about the scene's brightest light, is 2^36.
@@ -38,8 +42,9 @@ struct SampleRange {
 class Film {
  public:
   struct Pixel {
-    FilmValue sum{0};           ///< in units of 2^-kFilmBits * 2^exponent nits
-    std::uint32_t samples = 0;  ///< that were added; dropped ones do not count
+    FilmValue sum{0};                       ///< in units of 2^-kFilmBits * 2^exponent nits
+    Wide luminance_squares = Wide::zero();  ///< the sum of each sample's, in (2^exponent nits)^2
+    std::uint32_t samples = 0;              ///< that were added; dropped ones do not count
   };
 
   /// `exponent`: film value 1.0 stands for 2^exponent nits; the renderer says which suits its scene.
@@ -58,6 +63,8 @@ class Film {
   void add(int x, int y, const FilmValue& sample) {
     Pixel& pixel = pixels_[index(x, y)];
     for (int c = 0; c < 3; ++c) pixel.sum[c] = std::min(pixel.sum[c], kSumLimit) + sample[c];
+    const Wide brightness = luminance(sample);
+    pixel.luminance_squares += brightness * brightness;
     ++pixel.samples;
   }
 
@@ -66,6 +73,13 @@ class Film {
   [[nodiscard]] glm::dvec3 mean_nits(int x, int y) const;
 
  private:
+  static Wide luminance(const FilmValue& value) {
+    const auto wide = [](std::int64_t x) {
+      return Wide::normalized(static_cast<std::uint64_t>(x), -kFilmBits);
+    };
+    return vitrine::luminance<FixedUnit>(Vec3<Wide>(wide(value.x), wide(value.y), wide(value.z)));
+  }
+
   static constexpr std::int64_t kSumLimit = INT64_MAX - kFilmSampleLimit;
 
   [[nodiscard]] std::size_t index(int x, int y) const {

@@ -28,15 +28,19 @@ void write_file(const std::filesystem::path& path, std::span<const char> bytes) 
 }  // namespace
 
 void write_pfm(const std::filesystem::path& path, const Film& film) {
+  write_pfm(path, film, film, film.width());
+}
+
+void write_pfm(const std::filesystem::path& path, const Film& left, const Film& right, int column) {
   static_assert(std::endian::native == std::endian::little, "PFM's scale below says little endian");
   const std::string header =
-      "PF\n" + std::to_string(film.width()) + " " + std::to_string(film.height()) + "\n-1.0\n";
+      "PF\n" + std::to_string(left.width()) + " " + std::to_string(left.height()) + "\n-1.0\n";
   std::vector<char> bytes(header.begin(), header.end());
   bytes.reserve(header.size() +
-                static_cast<std::size_t>(film.width()) * static_cast<std::size_t>(film.height()) * 12);
-  for (int y = film.height() - 1; y >= 0; --y) {
-    for (int x = 0; x < film.width(); ++x) {
-      const glm::vec3 nits(film.mean_nits(x, y));
+                static_cast<std::size_t>(left.width()) * static_cast<std::size_t>(left.height()) * 12);
+  for (int y = left.height() - 1; y >= 0; --y) {
+    for (int x = 0; x < left.width(); ++x) {
+      const glm::vec3 nits((x < column ? left : right).mean_nits(x, y));
       const char* raw = reinterpret_cast<const char*>(&nits);
       bytes.insert(bytes.end(), raw, raw + sizeof nits);
     }

@@ -24,12 +24,12 @@ std::optional<FilmValue> film_value(const Vec3<typename N::Radiance>& L) {
   return FilmValue(*r, *g, *b);
 }
 
-/// Traces `samples` of the tile's pixels in waves of at most `wave_size` samples and adds each wave to `film`
-/// when it is complete. After `cancel` it returns within one stage, and the wave under way is lost.
+/// Traces `samples` of the tile's pixels in waves of at most `wave_size` paths and adds each wave to `film`
+/// when it is complete. After `cancel` it returns soon, and the wave under way is lost.
 template <class N, class Estimator>
 TraceStats drive(const Estimator& estimator, const World<N>& world, const Camera<N>& camera,
-                 std::uint64_t seed, const Tile& tile, SampleRange samples, std::size_t wave_size, Film& film,
-                 const std::atomic<bool>& cancel) {
+                 Sequence sequence, std::uint64_t seed, const Tile& tile, SampleRange samples,
+                 std::size_t wave_size, Film& film, const std::atomic<bool>& cancel) {
   struct Origin {
     int x;
     int y;
@@ -45,22 +45,22 @@ TraceStats drive(const Estimator& estimator, const World<N>& world, const Camera
       static_cast<std::uint64_t>(tile.width()) * static_cast<std::uint64_t>(tile.height()) * samples.count;
   TraceStats stats;
   Wave<N> wave;
-  for (std::uint64_t begin = 0; begin < total; begin += wave_size) {
-    const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(wave_size, total - begin));
+  const std::size_t most = std::max<std::size_t>(1, wave_size / estimator.max_branches());
+  for (std::uint64_t begin = 0; begin < total; begin += most) {
+    const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, total - begin));
     wave.reset(count);
     for (std::uint32_t slot = 0; slot < count; ++slot) {
       const Origin origin = origin_of(begin + slot);
       const auto x = static_cast<std::uint32_t>(origin.x);
       const auto y = static_cast<std::uint32_t>(origin.y);
-      estimator.begin(camera, x, y, Sampler(seed, x, y, origin.sample), slot, wave);
+      estimator.begin(camera, x, y, Sampler(sequence, seed, x, y, origin.sample), slot, wave);
     }
-    do {
-      if (cancel.load(std::memory_order_relaxed)) {
-        stats.cancelled = true;
-        stats.rays = wave.rays_traced();
-        return stats;
-      }
-    } while (wave.advance(estimator, world));
+    while (wave.advance(estimator, world, cancel)) {
+    }
+    if (cancel.load(std::memory_order_relaxed)) {
+      stats.cancelled = true;
+      break;
+    }
     for (std::uint32_t slot = 0; slot < count; ++slot) {
       const Origin origin = origin_of(begin + slot);
       if (const auto value = film_value<N>(wave.radiance(slot))) {

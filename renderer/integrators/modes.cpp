@@ -6,25 +6,33 @@
 namespace vitrine {
 namespace {
 
+constexpr SamplingParts by_chance(DirectionSampling direction) {
+  return {.direction = direction, .direct = DirectLight::kByChance};
+}
+constexpr SamplingParts next_event(LightSelection lights) {
+  return {.direct = DirectLight::kNextEvent, .lights = lights};
+}
+
 constexpr auto kModes = std::to_array<Mode>({
-    {.key = "basic",
-     .label = "Basic path tracing",
-     .section = "Basic Path Tracing",
-     .unbiased = true,
-     .direction = DirectionSampling::kUniform,
-     .direct = DirectLight::kByChance},
-    {.key = "nee",
-     .label = "Next event estimation",
-     .section = "Next Event Estimation",
-     .unbiased = true,
-     .direction = DirectionSampling::kBsdf,
-     .direct = DirectLight::kNextEvent},
-    {.key = "mis",
-     .label = "Multiple importance sampling",
-     .section = "beyond the slides",
-     .unbiased = true,
-     .direction = DirectionSampling::kBsdf,
-     .direct = DirectLight::kMis},
+    {"basic", "Basic path tracing", "Basic Path Tracing", by_chance(DirectionSampling::kUniform), "nee"},
+    {"basic-cosine", "Cosine distribution", "Indirect Illumination - Cosine Dist.",
+     by_chance(DirectionSampling::kCosine), "basic"},
+    {"basic-brdf", "BRDF distribution", "Indirect Illumination - BRDF Dist.",
+     by_chance(DirectionSampling::kBrdf), "basic"},
+    {"basic-brdf-cosine", "BRDF x cosine distribution", "Indirect Illumination - BRDF*Cosine Dist.",
+     by_chance(DirectionSampling::kBrdfCosine), "basic-cosine"},
+    {"nee", "Next event estimation", "Next Event Estimation", next_event(LightSelection::kUniform), "basic"},
+    {"nee-all", "Next event estimation, all lights", "Direct Illumination - Many Lights",
+     next_event(LightSelection::kAll), "nee"},
+    {"nee-power", "Next event estimation, lights by power", "Direct Illumination - Many Lights",
+     next_event(LightSelection::kPower), "nee"},
+    {"nee-tree", "Next event estimation, light tree", "Direct Illumination - Many Lights",
+     next_event(LightSelection::kTree), "nee-power"},
+    {"mis",
+     "Multiple importance sampling",
+     "beyond the slides",
+     {.lights = LightSelection::kTree},
+     "nee-tree"},
 });
 
 }  // namespace

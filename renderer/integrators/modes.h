@@ -2,32 +2,19 @@
 // button cycle, the HUD and the tests iterate this table; to add a mode, add a row in modes.cpp.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "integrators/sampling_parts.h"
+
 namespace vitrine {
-
-/// How a path finds its next direction.
-enum class DirectionSampling : std::uint8_t {
-  kUniform,  ///< uniform over the hemisphere (the sphere where the material transmits)
-  kBsdf,     ///< as the material scatters: BSDF times cosine
-};
-
-/// How a vertex collects light that comes straight from a source.
-enum class DirectLight : std::uint8_t {
-  kByChance,   ///< only when a scattered ray happens to hit the source
-  kNextEvent,  ///< next event estimation: a shadow ray to a sampled point of a source
-  kMis,        ///< both, weighted by the power heuristic
-};
 
 struct Mode {
   std::string_view key;
   std::string_view label;
   std::string_view section;  ///< of the lecture
-  bool unbiased = true;
-  DirectionSampling direction = DirectionSampling::kBsdf;
-  DirectLight direct = DirectLight::kMis;
+  SamplingParts parts;
+  std::string_view compare_with;  ///< the key of the mode that shows best what this one is about
 };
 
 /// Every mode, in the order of the button cycle.

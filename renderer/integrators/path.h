@@ -6,18 +6,23 @@
 #include <cstdint>
 
 #include "geometry/ray.h"
+#include "lights/light_selection.h"
 #include "sampling/sampler.h"
+#include "scene/world.h"
 
 namespace vitrine {
 
 template <class N>
 struct Path {
   Vec3<typename N::Weight> beta;  ///< throughput: what light found next is multiplied by
-  typename N::Density pdf_w;      ///< with which the last direction was scattered, 1/sr
+  typename N::Density pdf_w;      ///< of the last direction times how many were taken with it, 1/sr
+  Receiver<N> last;               ///< the vertex it was scattered at
   Sampler sampler;
-  std::uint32_t slot;   ///< which of the driver's samples the path adds to
-  std::uint16_t depth;  ///< scattering events so far
-  bool only_way;        ///< no shadow ray could have found what this ray finds (camera, mirror)
+  std::uint32_t slot;    ///< which of the driver's samples the path adds to
+  std::uint32_t depth;   ///< scattering events so far
+  std::uint32_t solid;   ///< that the ray is in, by its material; kOutside
+  std::uint16_t branch;  ///< into how many the sample's path has been split up to here
+  bool only_way;         ///< no shadow ray could have found what this ray finds (camera, mirror)
 };
 
 /// The driver's side of the talk. An estimator never traces: it is told a hit and asks.

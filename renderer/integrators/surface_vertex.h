@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/basis.h"
+#include "lights/light_selection.h"
 #include "materials/bsdf.h"
 #include "scene/world.h"
 
@@ -17,17 +18,24 @@ class SurfaceVertex {
   using Length = typename N::Length;
 
  public:
-  SurfaceVertex(const World<N>& world, const Ray<N>& ray, const Hit<N>& hit)
-      : SurfaceVertex(world, hit, world.surface_point(hit), -ray.direction) {}
+  SurfaceVertex(const World<N>& world, const Ray<N>& ray, const Hit<N>& hit, DirectionSampling how)
+      : SurfaceVertex(world, hit, world.surface_point(hit), -ray.direction, how) {}
 
   [[nodiscard]] const Vec3<Length>& position() const { return position_; }
   [[nodiscard]] const Bsdf<N>& bsdf() const { return bsdf_; }
+  /// The vertex as the choice of a light sees it.
+  [[nodiscard]] Receiver<N> receiver() const { return {position_, facing_, bsdf_.is_rough_both_sides()}; }
   [[nodiscard]] Vec3<Unit> to_local(const Vec3<Unit>& w) const { return frame_.to_local(w); }
   [[nodiscard]] Vec3<Unit> to_world(const Vec3<Unit>& w) const { return frame_.to_world(w); }
 
   /// Whether world direction `wi`, local `wi_local`, leaves on the same side by both normals.
   [[nodiscard]] bool sides_agree(const Vec3<Unit>& wi, const Vec3<Unit>& wi_local) const {
     return (dot(wi, facing_) > 0) == (wi_local.z > 0);
+  }
+  /// The solid that a ray along local `wi` is in, where the one that arrived was in `arrived`: another one if
+  /// it goes through a solid's boundary.
+  [[nodiscard]] std::uint32_t solid_towards(const Vec3<Unit>& wi, std::uint32_t arrived) const {
+    return wi.z < 0 && beyond_ ? *beyond_ : arrived;
   }
   /// The ray along `wi`, from just off the surface on the side that it leaves to.
   [[nodiscard]] Ray<N> ray_along(const Vec3<Unit>& wi) const { return {start(wi), wi, far_away<N>()}; }
@@ -45,17 +53,22 @@ class SurfaceVertex {
     return dot(wi, facing_) < 0 ? position_ - off : position_ + off;
   }
 
-  SurfaceVertex(const World<N>& world, const Hit<N>& hit, const SurfacePoint<N>& point, const Vec3<Unit>& wo)
-      : SurfaceVertex(world, hit, point, wo, dot(wo, point.geometric_normal) < 0) {}
   SurfaceVertex(const World<N>& world, const Hit<N>& hit, const SurfacePoint<N>& point, const Vec3<Unit>& wo,
-                bool behind)
+                DirectionSampling how)
+      : SurfaceVertex(world, hit, point, wo, how, dot(wo, point.geometric_normal) < 0) {}
+  SurfaceVertex(const World<N>& world, const Hit<N>& hit, const SurfacePoint<N>& point, const Vec3<Unit>& wo,
+                DirectionSampling how, bool behind)
       : position_(point.position),
         facing_(behind ? -point.geometric_normal : point.geometric_normal),
         frame_(visible_normal(behind ? -point.normal : point.normal, wo)),
         bsdf_(world.material(hit.triangle)
                   .scattering(world.coordinates(hit.triangle, hit.u, hit.v), behind, world.srgb_table,
                               world.linear_table),
-              frame_.to_local(wo)) {}
+              frame_.to_local(wo), how) {
+    if (world.material(hit.triangle).solid) {
+      beyond_ = behind ? kOutside : world.triangles[hit.triangle].material;
+    }
+  }
 
   [[nodiscard]] Vec3<Unit> visible_normal(const Vec3<Unit>& normal, const Vec3<Unit>& wo) const {
     return dot(normal, wo) > Unit(0.0001) ? normal : facing_;
@@ -65,6 +78,7 @@ class SurfaceVertex {
   Vec3<Unit> facing_;  // the geometric normal, towards the viewer
   Basis<N> frame_;
   Bsdf<N> bsdf_;
+  std::optional<std::uint32_t> beyond_;  // behind the boundary of a solid, as the viewer sees it
 };
 
 }  // namespace vitrine

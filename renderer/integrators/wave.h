@@ -3,6 +3,7 @@
 // one; either way each sample's light is added in the same order, so both give the same picture, bit for bit.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,18 +24,23 @@ class Wave {
     next_.clear();
   }
 
-  /// One stage for every path that is under way. False: none was.
+  /// One stage for every path that is under way. False: none was, or `cancel` became true.
   template <class Estimator>
-  bool advance(const Estimator& estimator, const World<N>& world) {
-    if (next_.paths.empty()) return false;
+  bool advance(const Estimator& estimator, const World<N>& world, const std::atomic<bool>& cancel) {
+    if (next_.paths.empty() || cancel.load(std::memory_order_relaxed)) return false;
     std::swap(current_, next_);
     next_.clear();
     hits_.resize(current_.rays.size());
-    world.bvh.closest(current_.rays, hits_);
+    world.closest(current_.rays, hits_);
+    rays_traced_ += hits_.size();
     for (std::size_t i = 0; i < hits_.size(); ++i) {
+      // Not between the paths of one sample, which stand together: its light is to be added in one order.
+      if (shadows_.rays.size() >= kShadowBatch && current_.paths[i].slot != current_.paths[i - 1].slot) {
+        test_shadows(world);
+        if (cancel.load(std::memory_order_relaxed)) return false;
+      }
       estimator.advance(current_.paths[i], current_.rays[i], hits_[i], *this);
     }
-    rays_traced_ += hits_.size() + shadows_.rays.size();
     test_shadows(world);
     return true;
   }
@@ -72,9 +78,14 @@ class Wave {
     std::vector<std::uint8_t> occluded;
   };
 
+  /// Shadow rays that are enough for a batch: with hundreds a vertex, a whole stage of them would take too
+  /// much memory and too long to cancel.
+  static constexpr std::size_t kShadowBatch = 8192;
+
   void test_shadows(const World<N>& world) {
+    rays_traced_ += shadows_.rays.size();
     shadows_.occluded.resize(shadows_.rays.size());
-    world.bvh.occluded(shadows_.rays, shadows_.occluded);
+    world.occluded(shadows_.rays, shadows_.occluded);
     for (std::size_t i = 0; i < shadows_.worth.size(); ++i) {
       if (shadows_.occluded[i] == 0) radiance_[shadows_.worth[i].slot] += shadows_.worth[i].L;
     }

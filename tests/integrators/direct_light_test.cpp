@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "integrators/irradiance.h"
+#include "scene/environment_lattice.h"
 #include "scene/made_scene.h"
 #include "statistics/picture.h"
 
@@ -73,6 +74,21 @@ PunctualLight spot(double inner_rad, double outer_rad) {
           .outer_cone_rad = outer_rad};
 }
 
+/// Brighter on one side, with a sun that gives about as much light as the rest; or the same everywhere.
+EnvironmentPicture sun_and_sky(bool even) {
+  EnvironmentPicture picture;
+  picture.width = 32;
+  picture.height = 16;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const float bright = even ? 1.0F : 0.5F + static_cast<float>(x) / 32.0F;
+      picture.values.push_back(!even && x == 20 && y == 4 ? glm::vec3(100.0F, 80.0F, 60.0F)
+                                                          : bright * kColor);
+    }
+  }
+  return picture;
+}
+
 std::vector<LitPlane> lit_planes() {
   const glm::vec3 candela = 100.0F * kColor;
   std::vector<LitPlane> all;
@@ -115,6 +131,16 @@ std::vector<LitPlane> lit_planes() {
       "quad turned inside out", back_turned, false, 0.004,
       glm::translate(glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, -1.0, 1.0)), glm::dvec3(0.0, -2.4, 0.0))));
 
+  for (const bool even : {false, true}) {
+    LitPlane pictured{.name = even ? "even picture" : "picture of sun and sky",
+                      .scene = plane_seen_from(1.0)};
+    const EnvironmentPicture picture = sun_and_sky(even);
+    pictured.scene.environment_picture = picture;
+    pictured.irradiance = lattice_irradiance(make_environment_lattice(picture));
+    pictured.samples = 256;
+    all.push_back(pictured);
+  }
+
   const Environment sky{{600.0F, 750.0F, 1000.0F}, {1000.0F, 900.0F, 500.0F}, {350.0F, 330.0F, 300.0F}};
   LitPlane outside{.name = "sky", .scene = plane_seen_from(1.0), .irradiance = sky_irradiance(sky)};
   outside.scene.environment = sky;
@@ -132,7 +158,7 @@ class LitPlanes : public testing::TestWithParam<LitPlane> {};
 
 TEST_P(LitPlanes, MatchesTheClosedForm) {
   const LitPlane& lit = GetParam();
-  constexpr std::size_t kTests = 24 * 2 * 3 * 3;
+  constexpr std::size_t kTests = 26 * 2 * 3 * 3;
   int modes_tried = 0;
   for (const Numbers numbers : {Numbers::kFloat, Numbers::kFixed}) {
     const auto scene = bake(lit.scene, numbers);

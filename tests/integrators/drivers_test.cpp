@@ -28,6 +28,8 @@ struct Stub {
   int cancel_after = 0;
   mutable int calls = 0;
 
+  static std::size_t max_branches() { return 1; }
+
   template <Asks<N> A>
   void begin(const Camera<N>& camera, std::uint32_t x, std::uint32_t y, const Sampler& sampler,
              std::uint32_t slot, A& asks) const {
@@ -41,7 +43,7 @@ struct Stub {
   template <Asks<N> A>
   void advance(Path<N> path, const Ray<N>& ray, const Hit<N>& /*hit*/, A& asks) const {
     if (++calls == cancel_after) cancel->store(true);
-    if (++path.depth < stages) asks.go_on(path, ray);
+    if (++path.depth < static_cast<std::uint32_t>(stages)) asks.go_on(path, ray);
   }
 };
 
@@ -53,7 +55,8 @@ class Drivers : public testing::Test {
   static constexpr std::uint64_t kSeed = 5;
 
   TraceStats run(const Stub<N>& stub, const Tile& tile, SampleRange samples, std::size_t wave_size) {
-    return drive<N>(stub, world_, camera_, kSeed, tile, samples, wave_size, film_, cancel_);
+    return drive<N>(stub, world_, camera_, Sequence::kRandom, kSeed, tile, samples, wave_size, film_,
+                    cancel_);
   }
   int samples_on_film() const {
     std::uint32_t sum = 0;
@@ -90,7 +93,7 @@ TYPED_TEST(Drivers, DropTheSampleThatIsNotFinite) {
   for (const auto& odd : refused(TypeParam{})) {
     this->film_ = Film(this->kSize, this->kSize, 0);
     Stub<TypeParam> stub;
-    stub.odd_one_bits = Sampler(bad.seed, 2, 1, bad.sample).next_bits();
+    stub.odd_one_bits = Sampler(Sequence::kRandom, bad.seed, 2, 1, bad.sample).next_bits();
     stub.odd = odd;
     const TraceStats stats = this->run(stub, this->kAll, {0, 8}, 50);
     EXPECT_EQ(stats.samples, 8U * 16U);
@@ -111,7 +114,7 @@ TYPED_TEST(Drivers, DropTheSampleThatIsNotFinite) {
 
 TYPED_TEST(Drivers, KeepTheBrightestSampleThatFits) {
   Stub<TypeParam> stub;
-  stub.odd_one_bits = Sampler(this->kSeed, 2, 1, 0).next_bits();
+  stub.odd_one_bits = Sampler(Sequence::kRandom, this->kSeed, 2, 1, 0).next_bits();
   using Radiance = typename TypeParam::Radiance;
   stub.odd = Vec3<Radiance>(Radiance(1e6), Radiance(1), Radiance(0x1p-36));
   EXPECT_EQ(this->run(stub, this->kAll, {0, 1}, 50).dropped, 0U);
@@ -124,11 +127,11 @@ TYPED_TEST(Drivers, CountEveryDropButRecordTheFirst) {
   TraceStats stats;
   for (int i = 0; i < 100; ++i) {
     Stub<TypeParam> stub;
-    stub.odd_one_bits =
-        Sampler(this->kSeed, static_cast<std::uint32_t>(i % 40), static_cast<std::uint32_t>(i / 40), 0)
-            .next_bits();
+    stub.odd_one_bits = Sampler(Sequence::kRandom, this->kSeed, static_cast<std::uint32_t>(i % 40),
+                                static_cast<std::uint32_t>(i / 40), 0)
+                            .next_bits();
     stub.odd = refused(TypeParam{}).front();
-    stats += drive<TypeParam>(stub, this->world_, camera, this->kSeed,
+    stats += drive<TypeParam>(stub, this->world_, camera, Sequence::kRandom, this->kSeed,
                               {i % 40, i / 40, i % 40 + 1, i / 40 + 1}, {0, 1}, 1, film, this->cancel_);
   }
   EXPECT_EQ(stats.dropped, 100U);

@@ -17,6 +17,8 @@ inline std::uint64_t film_hash(const Film& film) {
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) {
       for (int c = 0; c < 3; ++c) add(static_cast<std::uint64_t>(film.at(x, y).sum[c]));
+      add(film.at(x, y).luminance_squares.mantissa);
+      add(static_cast<std::uint64_t>(film.at(x, y).luminance_squares.exponent));
       add(film.at(x, y).samples);
     }
   }

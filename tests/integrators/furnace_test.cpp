@@ -34,7 +34,7 @@ class Furnace : public testing::TestWithParam<Numbers> {};
 TEST_P(Furnace, ShowsTwiceItsEmission) {
   const auto scene = bake(project_scene("furnace"), GetParam());
   for (const Mode& mode : modes()) {
-    if (mode.direct == DirectLight::kNextEvent) continue;
+    if (mode.parts.direct == DirectLight::kNextEvent) continue;
     SCOPED_TRACE(mode.key);
     expect_within_bound(render_tiles(*scene, mode, {.batches = 64, .batch_samples = 24}), 2.0 * kLe);
   }
@@ -53,7 +53,7 @@ std::unique_ptr<const BakedScene> round_furnace(unsigned rings, Numbers numbers)
 TEST_P(Furnace, ShowsTwiceItsEmissionInTheRound) {
   const auto scene = round_furnace(16, GetParam());
   for (const Mode& mode : modes()) {
-    if (mode.direct == DirectLight::kByChance) continue;
+    if (mode.parts.direct == DirectLight::kByChance) continue;
     SCOPED_TRACE(mode.key);
     expect_within_bound(render_tiles(*scene, mode, {.batch_samples = 16}), 2.0 * kLe);
   }

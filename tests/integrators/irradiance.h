@@ -6,6 +6,8 @@
 #include <numbers>
 #include <span>
 
+#include "geometry/octahedral.h"
+#include "scene/environment_lattice.h"
 #include "scene/scene.h"
 
 namespace vitrine {
@@ -46,6 +48,29 @@ inline glm::dvec3 punctual_irradiance(const PunctualLight& light, const glm::dve
 inline glm::dvec3 sky_irradiance(const Environment& sky) {
   const glm::dvec3 horizon(sky.horizon);
   return 2.0 * std::numbers::pi * (horizon / 2.0 + (glm::dvec3(sky.zenith) - horizon) / 3.0);
+}
+
+/// Of the map of a picture on the ground, by midpoints.
+inline glm::dvec3 lattice_irradiance(const EnvironmentLattice& lattice) {
+  constexpr int kPieces = 16;  // of a cell's side
+  const int steps = lattice.cells * kPieces;
+  glm::dvec3 sum(0.0);
+  for (int row = 0; row < steps; ++row) {
+    for (int column = 0; column < steps; ++column) {
+      const double x = (column + 0.5) / kPieces;
+      const double y = (row + 0.5) / kPieces;
+      const glm::dvec3 w = octahedral_direction(2.0 * x / lattice.cells - 1.0, 2.0 * y / lattice.cells - 1.0);
+      if (!(w.y > 0.0)) continue;
+      const glm::dvec3* near =
+          &lattice.radiance[static_cast<std::size_t>(row / kPieces * (lattice.cells + 1) + column / kPieces)];
+      const glm::dvec3* far = near + lattice.cells + 1;
+      const double u = x - column / kPieces;
+      const double v = y - row / kPieces;
+      sum += glm::mix(glm::mix(near[0], near[1], u), glm::mix(far[0], far[1], u), v) * w.y *
+             std::pow(octahedral_point(w).taxicab, 3.0) * (4.0 / steps / steps);
+    }
+  }
+  return sum;
 }
 
 }  // namespace vitrine

@@ -1,5 +1,6 @@
-// Every mode shows the same picture, in both number systems, on each of the project's scenes that it can
-// render: direct light alone, where the tails are short and small tiles can be told apart, and all light.
+// Every unbiased mode shows the same picture, in both number systems, on each of the project's scenes that it
+// can render: direct light alone, where the tails are short and small tiles can be told apart, and all light.
+// And so does every value of each parameter.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -14,18 +15,38 @@ namespace {
 class ModesAgree : public testing::TestWithParam<std::string> {};
 
 TEST_P(ModesAgree, OnDirectLight) {
-  expect_all_same(render_all_ways(project_scene(GetParam()), {.batch_samples = 4, .max_depth = 1}));
+  expect_all_same(render_all(project_scene(GetParam()), judgeable(mode_ways(), GetParam()),
+                             {.size = 16, .batch_samples = 4, .max_depth = 1}));
 }
 
 TEST_P(ModesAgree, OnAllLight) {
-  expect_all_same(render_all_ways(project_scene(GetParam()), {.batch_samples = 4}));
+  expect_all_same(render_all(project_scene(GetParam()), judgeable(mode_ways(), GetParam()),
+                             {.size = 16, .batch_samples = 4}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ModesAgree, testing::ValuesIn(project_scenes()), [](const auto& test) {
-  std::string name = test.param;
-  std::ranges::replace(name, '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, ModesAgree, testing::ValuesIn(project_scenes()),
+                         [](const auto& test) { return test_name(test.param); });
+
+class ParametersAgree : public testing::TestWithParam<std::string> {};
+
+TEST_P(ParametersAgree, OnAllLight) {
+  std::vector<Way> ways = parameter_ways(*find_parameter(GetParam()));
+  std::erase_if(ways, [](const Way& way) { return way.parts.shadow_rays > 16; });  // they take too long
+  ASSERT_FALSE(ways.empty());
+  for (const char* scene : {"cornell-spheres", "lamps"}) {
+    SCOPED_TRACE(scene);
+    expect_all_same(render_all(project_scene(scene), ways, {.size = 16, .batch_samples = 1}));
+  }
+}
+
+std::vector<std::string> parameter_names() {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : parameters()) names.emplace_back(parameter.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parameters, ParametersAgree, testing::ValuesIn(parameter_names()),
+                         [](const auto& test) { return test_name(test.param); });
 
 // Met by chance, the small lamps in the smooth plates stay too rare to tell a low mean from a wrong one. With
 // rough plates and fewer nits from larger lamps the same scene can be judged both ways.
@@ -42,11 +63,13 @@ TEST(ModesAgreeWhenSoftened, OnThePlates) {
           static_cast<float>(size * size / (wanted * wanted));
     }
   }
-  const std::vector<Rendering> renderings = render_all_ways(scene, {.batch_samples = 4});
-  for (const Rendering& rendering : renderings) {
-    EXPECT_LT(rendering.finest_fit, rendering.cuts.size()) << rendering.name << " cannot be judged";
+  const Agreement agreement = render_all(scene, mode_ways(), {.batch_samples = 4});
+  for (const auto& both : agreement.ways) {
+    for (const Rendering& rendering : both) {
+      EXPECT_LT(rendering.finest_fit, rendering.cuts.size()) << rendering.name << " cannot be judged";
+    }
   }
-  expect_all_same(renderings);
+  expect_all_same(agreement);
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ DirectionComparison compare_directions(const DirectionBins& bins, std::uint32_t 
   for (double& cell : expected) cell = std::max(cell, kOverlooked) * samples;
   std::vector<std::uint64_t> observed(expected.size(), 0);
   for (std::uint32_t i = 0; i < samples; ++i) {
-    Sampler sampler(7, i, 0, 0);
+    Sampler sampler(Sequence::kRandom, 7, i, 0, 0);
     const std::optional<glm::dvec3> w = draw(sampler);
     ++observed[w ? bins.cell(*w) : DirectionBins::size()];
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct PictureOptions {
   std::uint32_t batch_samples = 16;  ///< a pixel
   std::uint64_t seed = 1;
   int max_depth = RenderOptions{}.max_depth;
+  std::optional<SamplingParts> parts{};  ///< nothing: the mode's own
 };
 
 class TilePicture {
@@ -63,19 +65,19 @@ class TilePicture {
 
 /// Renders on all cores. The scene's first camera is used.
 inline TilePicture render_tiles(const BakedScene& scene, const Mode& mode, const PictureOptions& options) {
-  const auto renderer = scene.make_renderer({.mode = &mode,
-                                             .width = options.size,
-                                             .height = options.size,
-                                             .seed = options.seed,
-                                             .max_depth = options.max_depth});
   const int across = options.size / options.tile;
   TilePicture picture(across * across, options.batches);
   for_each_on_all_cores(options.batches, [&](int batch) {
+    // A seed each: samples of one seed may depend on each other.
+    const auto renderer = scene.make_renderer({.mode = &mode,
+                                               .parts = options.parts,
+                                               .width = options.size,
+                                               .height = options.size,
+                                               .seed = options.seed << 32 | static_cast<unsigned>(batch),
+                                               .max_depth = options.max_depth});
     Film film = renderer->make_film();
     const std::atomic<bool> cancel{false};
-    renderer->trace({0, 0, options.size, options.size},
-                    {static_cast<std::uint32_t>(batch) * options.batch_samples, options.batch_samples}, film,
-                    cancel);
+    renderer->trace({0, 0, options.size, options.size}, {0, options.batch_samples}, film, cancel);
     for (int y = 0; y < options.size; ++y) {
       for (int x = 0; x < options.size; ++x) {
         const glm::dvec3 nits = film.mean_nits(x, y) / static_cast<double>(options.tile * options.tile);
@@ -89,7 +91,7 @@ inline TilePicture render_tiles(const BakedScene& scene, const Mode& mode, const
 
 /// Whether a mode can find all light of a scene: lights without extent are never met by chance.
 inline bool can_render(const Mode& mode, const Scene& scene) {
-  return mode.direct != DirectLight::kByChance || scene.lights.empty();
+  return mode.parts.direct != DirectLight::kByChance || scene.lights.empty();
 }
 
 /// One of the project's own scenes, by its file's stem.
