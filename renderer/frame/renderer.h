@@ -29,14 +29,18 @@ enum class Driver : std::uint8_t {
 };
 
 struct RenderOptions {
-  const Mode* mode = nullptr;  ///< of modes()
-  int camera = 0;              ///< index into Scene::cameras
+  const Mode* mode = nullptr;            ///< of modes()
+  std::optional<SamplingParts> parts{};  ///< nothing: the mode's own
+  int camera = 0;                        ///< index into Scene::cameras
   int width = 0;
   int height = 0;
   std::uint64_t seed = 0;
   int max_depth = 256;  ///< scattering events a path may have; a guard, not a stopping rule
   Driver driver = Driver::kWave;
-  int wave_size = 4096;  ///< paths that a wave begins with
+  int wave_size = 4096;  ///< paths of a wave
+
+  /// What the pictures are made by.
+  [[nodiscard]] const SamplingParts& sampling() const { return parts ? *parts : mode->parts; }
 };
 
 /// One mode at work on one scene at one size. Immutable: any number of threads may call it at once, on tiles

@@ -21,7 +21,7 @@ class TileRenderer final : public Renderer {
       : world_(world),
         camera_(camera),
         options_(options),
-        path_tracer_(world, *options.mode, options.max_depth),
+        path_tracer_(world, options.sampling(), options.max_depth),
         curve_(curve) {}
 
   [[nodiscard]] Film make_film() const override { return {options_.width, options_.height, world_.exponent}; }
@@ -30,7 +30,8 @@ class TileRenderer final : public Renderer {
                    const std::atomic<bool>& cancel) const override {
     const std::size_t wave_size =
         options_.driver == Driver::kPath ? 1 : static_cast<std::size_t>(options_.wave_size);
-    return drive<N>(path_tracer_, world_, camera_, options_.seed, tile, samples, wave_size, film, cancel);
+    return drive<N>(path_tracer_, world_, camera_, options_.sampling().sequence, options_.seed, tile, samples,
+                    wave_size, film, cancel);
   }
 
   [[nodiscard]] Exposure meter(const Film& film) const override { return meter_film<N>(film); }
