@@ -7,10 +7,18 @@ namespace vitrine {
 namespace {
 
 constexpr auto kActionButtons = std::to_array<ActionButton>({
-    {Action::kPreviousScene, "scene-back", "< Scene", "Left", "the scene before"},
-    {Action::kNextScene, "scene", "Scene >", "Right", "the next scene"},
-    {Action::kPreviousMode, "mode-back", "< Mode", "B", "the sampling mode before"},
-    {Action::kNextMode, "mode", "Mode >", "M", "the next sampling mode"},
+    {Action::kPreviousScene, "scene-back", "< Scene", "Left", "the scene before", true},
+    {Action::kNextScene, "scene", "Scene >", "Right", "the next scene", true},
+    {Action::kPreviousMode, "mode-back", "< Mode", "B", "the sampling mode before", true},
+    {Action::kNextMode, "mode", "Mode >", "M",
+     "the next sampling mode; in a comparison, like the parameters, that of the right side", true},
+    {Action::kLecture, "lecture", "Lecture", "L", "the next stop of the lecture"},
+    {Action::kCompare, "compare", "Compare", "S", "side by side with another mode, or the left one alone",
+     true},
+    {Action::kFairness, "equal", "Equal", "E", "compare at equal samples or at equal time"},
+    {Action::kSplitLeft, "split-left", "< Split", ",", "less of the left side"},
+    {Action::kSplitRight, "split-right", "Split >", ".", "more of the left side"},
+    {Action::kView, "view", "View", "V", "the picture, or a map of its variance"},
     {Action::kNumbers, "numbers", "Numbers", "N", "float or fixed-point numbers"},
     {Action::kPause, "pause", "Pause", "Space", "stop and go on"},
     {Action::kDarker, "exposure-down", "EV -", "Down", "half a stop darker"},
@@ -22,22 +30,36 @@ constexpr auto kActionButtons = std::to_array<ActionButton>({
     {Action::kQuit, "quit", "", "Q", "end the program"},
 });
 
+/// The parameters stand together behind the modes.
+std::vector<ActionButton> all_buttons() {
+  std::vector<ActionButton> buttons(kActionButtons.begin(), kActionButtons.end());
+  auto place = std::ranges::find(buttons, Action::kNextMode, &ActionButton::action) + 1;
+  for (const Parameter& parameter : parameters()) {
+    place = buttons.insert(place, {Action::kParameter, parameter.name, parameter.label, parameter.key,
+                                   parameter.meaning, true, &parameter}) +
+            1;
+  }
+  return buttons;
+}
+
 }  // namespace
 
-std::span<const ActionButton> action_buttons() { return kActionButtons; }
+std::span<const ActionButton> action_buttons() {
+  static const std::vector<ActionButton> buttons = all_buttons();
+  return buttons;
+}
 
 std::vector<ButtonSpec> button_specs() {
   std::vector<ButtonSpec> specs;
-  for (const ActionButton& row : kActionButtons) {
+  for (const ActionButton& row : action_buttons()) {
     specs.push_back({std::string(row.button), std::string(row.caption), std::string(row.key)});
   }
   return specs;
 }
 
-std::optional<Action> find_action(std::string_view button) {
-  const auto found = std::ranges::find(kActionButtons, button, &ActionButton::button);
-  if (found == kActionButtons.end()) return std::nullopt;
-  return found->action;
+const ActionButton* find_action(std::string_view button) {
+  const auto found = std::ranges::find(action_buttons(), button, &ActionButton::button);
+  return found == action_buttons().end() ? nullptr : &*found;
 }
 
 }  // namespace vitrine

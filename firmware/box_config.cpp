@@ -7,7 +7,9 @@
 namespace vitrine {
 BoxConfig read_box_config(const std::filesystem::path& path) {
   const toml::table root = read_toml(path);
-  require_known_keys(path, root, {"display", "buttons", "playlist", "size", "mode", "numbers", "threads"});
+  require_known_keys(path, root,
+                     {"display", "buttons", "playlist", "lecture", "size", "mode", "numbers", "threads",
+                      "environment", "environment_nits", "environment_rotation"});
   const auto text = [&](const std::string& key) {
     return toml_value<std::string>(path, root, key, "a string");
   };
@@ -19,6 +21,7 @@ BoxConfig read_box_config(const std::filesystem::path& path) {
   config.display = text("display");
   config.buttons = text("buttons");
   if (const auto playlist = text("playlist")) config.playlist = path.parent_path() / *playlist;
+  if (const auto lecture = text("lecture")) config.lecture = path.parent_path() / *lecture;
   if (const auto size = text("size")) {
     config.size = parse_size(*size);
     if (!config.size) throw error("size", "write it like \"800x480\"; a side has 1 to 8192 pixels");
@@ -35,6 +38,7 @@ BoxConfig read_box_config(const std::filesystem::path& path) {
     if (*threads < 1 || *threads > 1024) throw error("threads", "write a number from 1 to 1024");
     config.threads = static_cast<int>(*threads);
   }
+  config.environment = read_environment_choice(path, root);
   return config;
 }
 
@@ -43,10 +47,12 @@ BoxConfig overlay(const BoxConfig& base, const BoxConfig& over) {
   if (over.display) both.display = over.display;
   if (over.buttons) both.buttons = over.buttons;
   if (over.playlist) both.playlist = over.playlist;
+  if (over.lecture) both.lecture = over.lecture;
   if (over.size) both.size = over.size;
   if (over.mode) both.mode = over.mode;
   if (over.numbers) both.numbers = over.numbers;
   if (over.threads) both.threads = over.threads;
+  if (over.environment) both.environment = over.environment;
   return both;
 }
 

@@ -59,7 +59,7 @@ Json describe(const Scene& scene, const std::filesystem::path& file) {
           {"images", scene.images.size()},
           {"cameras", cameras},
           {"lights", lights},
-          {"environment", scene.environment.has_value()},
+          {"environment", scene.environment || scene.environment_picture},
           {"notes", scene.notes}};
 }
 

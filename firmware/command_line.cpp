@@ -15,7 +15,6 @@
 namespace vitrine {
 namespace {
 
-constexpr std::uint32_t kMaxSpp = 1U << 20U;  // what the film's 64-bit sums hold of any scene
 constexpr int kMaxDepth = 1'000'000;
 constexpr int kMaxWaveSize = 1 << 20;
 
@@ -59,8 +58,14 @@ void define_run(CLI::App& app, RunRequest& request) {
   add_size_option(app, "800x480", [&](PictureSize size) { box.size = size; });
   add_mode_option(app, "the playlist's, or " + std::string(default_mode()->key),
                   [&](const Mode* mode) { box.mode = mode; });
+  add_parameter_options(app, request.changes);
+  add_compare_options(app, request.compare, request.fairness);
+  add_text_option(app, "--lecture", "FILE",
+                  "TOML file with the stops of the button 'lecture' (the installed one)",
+                  [&](const std::string& file) { box.lecture = file; });
   add_numbers_option(app, [&](Numbers numbers) { box.numbers = numbers; });
   add_threads_option(app, [&](int threads) { box.threads = threads; });
+  add_environment_options(app, "the default sky over scenes that bring no light at all", box.environment);
   add_seed_option(app, request.seed);
   app.add_option_function<std::uint64_t>(
          "--frames", [&](std::uint64_t frames) { request.frames = frames; }, "end after so many frames")
@@ -80,7 +85,7 @@ void define_run(CLI::App& app, RunRequest& request) {
 
   std::string keys = "Buttons and their keys in the window:";
   for (const ActionButton& row : action_buttons()) {
-    keys += "\n  " + std::string(row.button) + std::string(15 - row.button.size(), ' ') +
+    keys += "\n  " + std::string(row.button) + std::string(18 - row.button.size(), ' ') +
             std::string(row.key) + std::string(8 - row.key.size(), ' ') + std::string(row.meaning);
   }
   app.footer(keys);
@@ -97,6 +102,19 @@ void take_pixel(const std::string& text, SampleAddress& at) {
   }
 }
 
+void add_view_option(CLI::App& app, const View*& view) {
+  std::vector<std::string> keys;
+  for (const View& row : views()) keys.emplace_back(row.key);
+  std::string names;
+  for (const std::string& key : keys) names += (names.empty() ? "" : "|") + key;
+  add_text_option(app, "--view", names, "what a PNG shows (" + keys.front() + ")",
+                  [&view, keys](const std::string& key) {
+                    view = find_view(key);
+                    if (view == nullptr)
+                      refuse_value("--view", "no view '" + key + "'; " + name_remedy(key, keys));
+                  });
+}
+
 void define_render(CLI::App& app, RenderRequest& request) {
   RenderOptions& options = request.options;
   options.mode = default_mode();
@@ -108,6 +126,13 @@ void define_render(CLI::App& app, RenderRequest& request) {
                   "PFM: linear radiance in nits; PNG: exposed and tone mapped",
                   [&](const std::string& file) { request.out = file; });
   add_mode_option(app, std::string(options.mode->key), [&](const Mode* mode) { options.mode = mode; });
+  add_parameter_options(app, request.changes);
+  add_compare_options(app, request.compare, request.fairness);
+  app.add_option("--split", request.split, "part of the width that shows A (0.5)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs("--compare")
+      ->type_name("F");
+  add_view_option(app, request.view);
   add_size_option(app, "640x480", [&](PictureSize size) {
     options.width = size.width;
     options.height = size.height;
@@ -125,6 +150,7 @@ void define_render(CLI::App& app, RenderRequest& request) {
   app.add_option("--time", request.time_s, "moment of the scene's animation (0)")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("SECONDS");
+  add_environment_options(app, "the scene's own", request.environment);
   add_playlist_option(app, request.playlist);
   add_text_option(app, "--driver", "wave|path",
                   "how rays are traced, in waves or path by path; the picture is the same (wave)",
@@ -153,8 +179,23 @@ void define_render(CLI::App& app, RenderRequest& request) {
   add_json_flag(app, request.json);
 }
 
+/// The ways of sampling that were asked for; a parameter that none of them has is a mistake.
+std::vector<Technique> resolve_techniques(const RenderRequest& request) {
+  std::vector<Technique> techniques = request.compare;
+  if (techniques.empty()) techniques.push_back(technique_of(*request.options.mode));
+  for (const ParameterChange& change : request.changes) {
+    const auto has = [&](const Technique& technique) { return change.parameter->belongs(technique.parts); };
+    for (Technique& technique : techniques) {
+      if (has(technique) || std::ranges::none_of(techniques, has)) apply(change, technique);
+    }
+  }
+  return techniques;
+}
+
 /// What no single option can tell.
 void check(const RenderRequest& request) {
+  if (request.replay && !request.compare.empty())
+    throw UsageError("render: --pixel traces by one mode; leave --compare out");
   if (request.replay) {
     const SampleAddress& at = *request.replay;
     if (at.x < 0 || at.y < 0 || at.x >= request.options.width || at.y >= request.options.height) {
@@ -168,6 +209,9 @@ void check(const RenderRequest& request) {
   if (ending != ".pfm" && ending != ".png") {
     throw UsageError("render: the picture needs a file; name it with -o OUT.pfm or -o OUT.png");
   }
+  if (ending == ".pfm" && request.view != &views().front())
+    throw UsageError("render: a PFM holds radiance; name a file.png for --view " +
+                     std::string(request.view->key));
 }
 
 constexpr const char* kExitCodes =
@@ -236,6 +280,11 @@ Request parse_command_line(std::vector<std::string> arguments) {
   const std::string command = app.get_subcommands().front()->get_name();
   if (command == "render") {
     check(render);
+    try {
+      render.techniques = resolve_techniques(render);
+    } catch (const UnknownChoice& unknown) {
+      throw UsageError("render: " + std::string(unknown.what()) + "; " + unknown.remedy());
+    }
     return render;
   }
   if (command == "modes") return modes;

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <span>
+#include <vector>
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include "exit_status.h"
 #include "film/image_files.h"
@@ -15,7 +16,9 @@
 #include "loaded_scene.h"
 #include "nearest_name.h"
 #include "output_file.h"
-#include "picture.h"
+#include "picture_view.h"
+#include "rendered_side.h"
+#include "side_label.h"
 
 namespace vitrine {
 namespace {
@@ -39,32 +42,44 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-void expose(Picture& picture, std::uint32_t spp) {
-  const bool watched = isatty(STDERR_FILENO) != 0;
-  picture.start_pass(spp);
-  while (!picture.pass_ended(std::chrono::milliseconds(100))) {
-    if (watched) std::fprintf(stderr, "\r%3.0f %%", 100.0 * picture.progress());
-  }
-  if (watched) std::fprintf(stderr, "\r     \r");
+/// Both sides are exposed alike: as the one that shows best how bright the scene is.
+Exposure meter(std::span<const RenderedSide> sides) {
+  const auto error = [](const RenderedSide& side) { return side.error.value_or(HUGE_VAL); };
+  return std::ranges::min_element(sides, {}, error)->picture->meter();
 }
 
-void write_picture(const Picture& picture, const std::filesystem::path& out) {
-  if (out.extension() == ".pfm") {
-    write_pfm(out, picture.film());
+/// As a screen would show them, with labels if there are two.
+DevelopedPicture develop_sides(const RenderRequest& request, std::span<const RenderedSide> sides) {
+  const Exposure exposure = meter(sides);
+  DevelopedPicture left;
+  sides.front().picture->develop(*request.view, exposure, left);
+  if (sides.size() == 1) return left;
+  DevelopedPicture right;
+  sides.back().picture->develop(*request.view, exposure, right);
+
+  const SurfaceMemory memory(left.width, left.height, PixelFormat::kRgb888);
+  const Surface& surface = memory.surface();
+  const int column = split_column(request.split, left.width);
+  show_picture(surface, left, false, 0, column);
+  show_picture(surface, right, false, column, left.width);
+  draw_split(surface, column);
+  std::vector<HudSide> labels;
+  for (const RenderedSide& side : sides) {
+    const RenderedSide& other = &side == &sides.front() ? sides.back() : sides.front();
+    labels.push_back(side_label(side.technique, &other.technique, side.picture->samples(), side.error));
+  }
+  draw_side_labels(surface, labels, request.split, 8);
+  return read_picture(surface);
+}
+
+void write_sides(const RenderRequest& request, std::span<const RenderedSide> sides) {
+  if (request.out.extension() == ".pfm") {
+    const Film& left = sides.front().picture->film();
+    write_pfm(request.out, left, sides.back().picture->film(), split_column(request.split, left.width()));
   } else {
-    DevelopedPicture developed;
-    picture.develop(picture.meter(), developed);
-    write_png(out, developed.width, developed.height, developed.rgb);
+    const DevelopedPicture picture = develop_sides(request, sides);
+    write_png(request.out, picture.width, picture.height, picture.rgb);
   }
-}
-
-Json dropped_records(const TraceStats& stats) {
-  Json records = Json::array();
-  for (const DroppedSample& dropped : stats.dropped_samples) {
-    records.push_back(
-        {{"x", dropped.x}, {"y", dropped.y}, {"sample", dropped.sample}, {"seed", dropped.seed}});
-  }
-  return records;
 }
 
 /// Traces one sample on its own: what a record of a dropped one is for.
@@ -76,7 +91,7 @@ int replay_sample(const RenderRequest& request, const std::string& name, const R
   const glm::dvec3 radiance = film.mean_nits(at.x, at.y);
   if (request.json) {
     print_json({{"scene", name},
-                {"mode", request.options.mode->key},
+                {"mode", request.techniques.front().mode->key},
                 {"numbers", numbers_name(request.numbers)},
                 {"x", at.x},
                 {"y", at.y},
@@ -94,36 +109,35 @@ int replay_sample(const RenderRequest& request, const std::string& name, const R
 }
 
 void report(const RenderRequest& request, const std::string& name, const LoadedScene& scene,
-            const TraceStats& stats, double seconds) {
-  const double samples_per_s = static_cast<double>(stats.samples) / seconds;
-  const double rays_per_s = static_cast<double>(stats.rays) / seconds;
+            std::span<const RenderedSide> sides) {
   if (request.json) {
-    print_json({{"scene", name},
-                {"mode", request.options.mode->key},
+    Json report{{"scene", name},
                 {"numbers", numbers_name(request.numbers)},
                 {"width", request.options.width},
                 {"height", request.options.height},
-                {"spp", request.spp},
                 {"max_depth", request.options.max_depth},
-                {"seconds", seconds},
-                {"samples_per_s", samples_per_s},
-                {"rays", stats.rays},
-                {"rays_per_s", rays_per_s},
                 {"triangles", scene.baked->triangle_count()},
                 {"lights", scene.baked->light_count()},
-                {"peak_rss_bytes", peak_rss_bytes()},
-                {"nonfinite_samples", stats.dropped},
-                {"nonfinite_records", dropped_records(stats)}});
+                {"peak_rss_bytes", peak_rss_bytes()}};
+    if (sides.size() == 1) {
+      report.update(figures(sides.front()));
+    } else {
+      report["equal"] = request.fairness == Fairness::kEqualSamples ? "samples" : "time";
+      report["split"] = request.split;
+      for (const RenderedSide& side : sides) report["sides"].push_back(figures(side));
+    }
+    print_json(report);
     return;
   }
-  std::printf("%s: %.2f s, %.3g samples/s, %.3g rays/s\n", request.out.c_str(), seconds, samples_per_s,
-              rays_per_s);
-  if (stats.dropped > 0) {
-    const DroppedSample& first = stats.dropped_samples.front();
-    std::printf(
-        "%llu samples dropped as not finite; see the first with --pixel %d,%d --sample %u --seed %llu\n",
-        static_cast<unsigned long long>(stats.dropped), first.x, first.y, first.sample,
-        static_cast<unsigned long long>(first.seed));
+  for (const RenderedSide& side : sides) {
+    const TraceStats& stats = side.picture->stats();
+    const std::string of_mode = sides.size() == 1 ? "" : std::string(side.technique.mode->key) + ", ";
+    std::printf("%s: %s%u spp in %.2f s, %.3g samples/s, %.3g rays/s%s\n", request.out.c_str(),
+                of_mode.c_str(), side.picture->samples(), side.seconds,
+                static_cast<double>(stats.samples) / side.seconds,
+                static_cast<double>(stats.rays) / side.seconds,
+                side.error ? (", error " + percent(*side.error)).c_str() : "");
+    if (const std::string dropped = dropped_line(side); !dropped.empty()) std::puts(dropped.c_str());
   }
 }
 
@@ -134,20 +148,30 @@ int execute(const RenderRequest& request) {
   if (request.time_s != 0.0) {
     std::cerr << "vitrine: --time: this version plays no animation; the picture is that of time 0\n";
   }
-  const PlaylistScene scene = resolve_scene(request.scene, find_playlist(request.playlist));
+  PlaylistScene scene = resolve_scene(request.scene, find_playlist(request.playlist));
+  if (request.environment) scene.environment = request.environment;
   const std::shared_ptr<const LoadedScene> loaded = load_scene(scene, request.numbers);
   RenderOptions options = request.options;
   options.camera = find_camera(*loaded, request.camera, scene.file.string());
-  std::unique_ptr<const Renderer> renderer = loaded->baked->make_renderer(options);
-  if (request.replay) return replay_sample(request, scene.name, *renderer);
+  if (request.replay) {
+    options.mode = request.techniques.front().mode;
+    options.parts = request.techniques.front().parts;
+    return replay_sample(request, scene.name, *loaded->baked->make_renderer(options));
+  }
 
   Workers workers(request.threads > 0 ? request.threads : default_thread_count());
-  Picture picture(std::move(renderer), workers);
-  const auto begin = std::chrono::steady_clock::now();
-  expose(picture, request.spp);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  write_picture(picture, request.out);
-  report(request, scene.name, *loaded, picture.stats(), elapsed.count());
+  std::vector<RenderedSide> sides;
+  for (const Technique& technique : request.techniques) {
+    RenderedSide side = begin_side(technique, *loaded->baked, options, workers);
+    if (!sides.empty() && request.fairness == Fairness::kEqualTime) {
+      trace_seconds(side, sides.front().seconds, kMaxSpp);
+    } else {
+      trace_samples(side, request.spp);
+    }
+    sides.push_back(std::move(side));
+  }
+  write_sides(request, sides);
+  report(request, scene.name, *loaded, sides);
   return kDone;
 }
 

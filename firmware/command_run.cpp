@@ -28,6 +28,8 @@ std::vector<PlaylistScene> choose_scenes(const RunRequest& request, const BoxCon
     throw InputError("playlist", "", "none is installed",
                      "name one with --playlist FILE, or name scene files");
   }
+  if (box.environment) require_environment(*box.environment);
+  for (PlaylistScene& scene : scenes) scene.default_environment = box.environment;
   return scenes;
 }
 
@@ -53,7 +55,7 @@ int show_kiosk(const RunRequest& request, const BoxConfig& box, ExhibitSettings 
 
   const SystemClock system;
   const bool stepped = request.script.has_value();
-  KioskSettings settings{.exhibit = std::move(exhibit)};
+  KioskSettings settings{.exhibit = std::move(exhibit), .lecture = find_lecture(box.lecture)};
   if (request.frames) settings.frames = *request.frames;
   Kiosk kiosk(*panel.display, *buttons, stepped ? static_cast<const TimeSource&>(synthetic) : system,
               stepped ? &synthetic : nullptr, workers, load_scene, std::move(settings));
@@ -101,6 +103,9 @@ int execute(const RunRequest& request) {
   const PictureSize size = box.size.value_or(kDefaultSize);
   const ExhibitSettings exhibit{.scenes = choose_scenes(request, box),
                                 .mode = box.mode.value_or(nullptr),
+                                .changes = request.changes,
+                                .compare = request.compare,
+                                .fairness = request.fairness,
                                 .numbers = box.numbers.value_or(Numbers::kFloat),
                                 .seed = request.seed,
                                 .size = size};

@@ -8,12 +8,17 @@
 #include <vector>
 
 #include "box_config.h"
+#include "comparison.h"
+#include "technique.h"
 
 namespace vitrine {
 
 struct RunRequest {
   std::vector<std::string> scenes;  ///< files and names; empty: the playlist
   BoxConfig box;
+  std::vector<ParameterChange> changes;  ///< to every mode that has such parameters
+  std::vector<Technique> compare;        ///< two to begin with side by side, or none
+  Fairness fairness = Fairness::kEqualSamples;
   std::optional<std::filesystem::path> config;  ///< for what `box` leaves open
   std::uint64_t seed = 0;
   std::optional<std::uint64_t> frames;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <exception>
+#include <limits>
 #include <utility>
 
 #include "mode_choice.h"
@@ -16,6 +17,10 @@ using std::chrono::milliseconds;
 constexpr milliseconds kShortPass{8};
 constexpr milliseconds kLongPass{25};
 constexpr std::uint32_t kMaxPassSamples = 64;
+
+/// Judging the error looks at every pixel: not more often than people can read, nor when little was added.
+constexpr milliseconds kJudgePeriod{400};
+constexpr std::uint32_t kJudgeGrowth = 8;  // an eighth more samples
 
 /// By then a picture has converged, and 64-bit sums are far from their end.
 constexpr std::uint32_t kEnoughSamples = 1U << 20U;
@@ -36,23 +41,41 @@ Exhibit::Exhibit(ExhibitSettings settings, Pace pace, Workers& workers, LoadScen
       pace_(pace),
       workers_(workers),
       loader_(std::move(load),
-              pace == Pace::kLive ? SceneLoader::Timing::kBackground : SceneLoader::Timing::kAtOnce),
-      mode_(settings_.mode != nullptr ? settings_.mode : default_mode()) {
+              pace == Pace::kLive ? SceneLoader::Timing::kBackground : SceneLoader::Timing::kAtOnce) {
+  std::vector<Technique> techniques = std::exchange(settings_.compare, {});
+  if (techniques.empty()) {
+    const Mode& mode = settings_.mode != nullptr ? *settings_.mode : *default_mode();
+    techniques.push_back(technique_of(mode, settings_.changes));
+  }
+  set_techniques(std::move(techniques));
   turn_scene(0);
 }
 
 void Exhibit::turn_scene(int by) {
   scene_index_ = turned(scene_index_, by, settings_.scenes.size());
-  // A mode that the caller insists on stays; so does one that the playlist says nothing about.
-  if (settings_.mode == nullptr && scene().mode != nullptr) mode_ = scene().mode;
+  scene_ = settings_.scenes[scene_index_];
+  // A mode that the caller insists on stays; so do one that the playlist says nothing about, and two.
+  if (settings_.mode == nullptr && scene_.mode != nullptr && !comparing())
+    changed_side().technique = technique_of(*scene_.mode, settings_.changes);
   first_sight_ = true;
   load();
 }
 
 void Exhibit::turn_mode(int by) {
-  const auto index = static_cast<std::size_t>(mode_ - modes().data());
-  mode_ = &modes()[turned(index, by, modes().size())];
-  start_over();
+  const auto index = static_cast<std::size_t>(changed_side().technique.mode - modes().data());
+  change_technique(technique_of(modes()[turned(index, by, modes().size())], settings_.changes));
+}
+
+void Exhibit::turn_parameter(const Parameter& parameter) {
+  const Technique& before = changed_side().technique;
+  const Technique after = turned(before, parameter);
+  if (after != before) change_technique(after);
+}
+
+void Exhibit::change_technique(const Technique& technique) {
+  changed_side().technique = technique;
+  ++edition_;
+  start_over(changed_side());
 }
 
 void Exhibit::switch_numbers() {
@@ -66,16 +89,60 @@ void Exhibit::resize(PictureSize size) {
   start_over();
 }
 
+void Exhibit::toggle_comparison() {
+  ++edition_;
+  if (comparing()) {
+    start_over(*sides_.back());
+    sides_.pop_back();
+  } else {
+    const Side& left = *sides_.front();
+    sides_.push_back(std::make_unique<Side>(partner(left.technique), left.shown));
+  }
+}
+
+void Exhibit::toggle_fairness() {
+  settings_.fairness =
+      settings_.fairness == Fairness::kEqualSamples ? Fairness::kEqualTime : Fairness::kEqualSamples;
+}
+
+void Exhibit::show(const PlaylistScene& scene, std::vector<Technique> techniques, Fairness fairness) {
+  const auto listed = std::ranges::find(settings_.scenes, scene.file, &PlaylistScene::file);
+  const bool is_listed = listed != settings_.scenes.end();
+  if (is_listed) scene_index_ = static_cast<std::size_t>(listed - settings_.scenes.begin());
+  first_sight_ = first_sight_ || scene.file != scene_.file;
+  scene_ = is_listed ? *listed : scene;
+  settings_.fairness = fairness;
+  set_techniques(std::move(techniques));
+  load();
+}
+
+void Exhibit::set_techniques(std::vector<Technique> techniques) {
+  while (sides_.size() > techniques.size()) {
+    start_over(*sides_.back());
+    sides_.pop_back();
+  }
+  while (sides_.size() < techniques.size()) {
+    sides_.push_back(std::make_unique<Side>());
+    sides_.back()->shown = sides_.front()->shown;
+  }
+  for (std::size_t i = 0; i < sides_.size(); ++i) sides_[i]->technique = techniques[i];
+}
+
+void Exhibit::turn_view(int by) {
+  view_index_ = turned(view_index_, by, views().size());
+  develop_later();
+}
+
 void Exhibit::brighten(int quarter_stops) {
   exposure_.quarter_stops += quarter_stops;
   manual_ = true;
-  underdeveloped_ = true;
+  develop_later();
 }
 
 void Exhibit::use_auto_exposure() {
   manual_ = false;
   exposure_ = metered_;
-  underdeveloped_ = true;
+  develop_later();
 }
 
 std::optional<Exposure> Exhibit::manual_exposure() const {
@@ -91,35 +158,35 @@ void Exhibit::load() {
 
 void Exhibit::start_over() {
   ++edition_;
-  if (picture_) {
-    picture_->abandon();
-    abandoned_ = std::move(picture_);
+  for (const std::unique_ptr<Side>& side : sides_) start_over(*side);
+}
+
+void Exhibit::start_over(Side& side) {
+  if (side.picture) {
+    side.picture->abandon();
+    abandoned_.push_back(std::move(side.picture));
   }
-  tracing_ = false;
-  pass_samples_ = 1;
-  if (loaded_) error_.clear();  // another mode or size may do what the last could not
+  if (tracing_ == &side) tracing_ = nullptr;
+  side = Side(side.technique, std::move(side.shown));
+  if (loaded_) error_.clear();  // another technique or size may do what the last could not
 }
 
 bool Exhibit::advance(milliseconds patience) {
-  abandoned_.reset();  // here the workers are waited for: by now the caller has shown the new label
+  abandoned_.clear();  // here the workers are waited for: by now the caller has shown the new label
   const bool arrived = take_loaded();
   if (loading_ || !error_.empty()) return arrived;
   try {
-    if (!picture_) make_picture();
-    if (!tracing_ && !paused_ && picture_->samples() < kEnoughSamples) start_pass();
-    if (tracing_) {
-      if (pace_ == Pace::kStepped) {
-        picture_->finish_pass();
-      } else if (!picture_->pass_ended(patience)) {
-        return arrived;
-      }
-      end_pass();
-      // The workers go on while the caller shows what they have made.
-      if (pace_ == Pace::kLive && !paused_ && picture_->samples() < kEnoughSamples) start_pass();
-      return true;
+    for (const std::unique_ptr<Side>& side : sides_) make_picture(*side);
+    if (!tracing() && !paused_) start_pass();
+    if (!tracing()) return develop() || arrived;
+    if (pace_ == Pace::kStepped) {
+      tracing_->picture->finish_pass();
+    } else if (!tracing_->picture->pass_ended(patience)) {
+      return arrived;
     }
-    if (!underdeveloped_ || outdated()) return arrived;
-    develop();
+    end_pass();
+    // The workers go on while the caller shows what they have made.
+    if (pace_ == Pace::kLive && !paused_) start_pass();
     return true;
   } catch (const std::exception& failure) {
     fail(failure.what());
@@ -136,40 +203,86 @@ bool Exhibit::take_loaded() {
   return true;
 }
 
-void Exhibit::make_picture() {
+void Exhibit::make_picture(Side& side) {
+  if (side.picture) return;
   RenderOptions options;
-  options.mode = mode_;
+  options.mode = side.technique.mode;
+  options.parts = side.technique.parts;
   options.width = settings_.size.width;
   options.height = settings_.size.height;
   options.seed = settings_.seed;
-  picture_ = std::make_unique<Picture>(loaded_->baked->make_renderer(options), workers_);
+  side.picture = std::make_unique<Picture>(loaded_->baked->make_renderer(options), workers_);
 }
 
 void Exhibit::start_pass() {
-  tracing_ = true;
-  picture_->start_pass(pass_samples_);
+  const Share first = sides_.front()->share();
+  const Share second = sides_.back()->share();
+  const std::size_t turn = comparing() ? whose_turn(fairness(), first, second) : 0;
+  Side& side = *sides_[turn];
+  if (side.samples() >= kEnoughSamples) return;
+  const Side& other = comparing() ? *sides_[1 - turn] : side;
+  turn_samples_ = turn_length(fairness(), side.share(), side.pass_samples, other.share(), other.pass_samples);
+  tracing_ = &side;
+  side.picture->start_pass(turn_samples_);
 }
 
 void Exhibit::end_pass() {
-  tracing_ = false;
+  Side& side = *std::exchange(tracing_, nullptr);
+  const std::uint64_t rays = side.picture->stats().rays - side.rays;
+  const Clock::duration time = side.picture->pass_time();
+  side.rays += rays;
+  rays_ += rays;
+  side.spent +=
+      pace_ == Pace::kLive ? std::chrono::nanoseconds(time).count() : static_cast<std::int64_t>(rays);
+  if (pace_ == Pace::kLive) {
+    if (time < kShortPass && turn_samples_ == side.pass_samples)
+      side.pass_samples = std::min(side.pass_samples * 2, kMaxPassSamples);
+    if (time > kLongPass) side.pass_samples = std::max(turn_samples_ / 2, 1U);
+  }
+  judge(side);
   // The light in a picture changes little after its first samples, so it is metered ever more rarely.
-  const bool doubled = std::bit_width(samples()) != std::bit_width(samples() - pass_samples_);
-  if (doubled) metered_ = picture_->meter();
+  if (std::bit_width(side.samples()) != std::bit_width(side.samples() - turn_samples_)) meter();
   if (!manual_) {
     const int distance = metered_.quarter_stops - exposure_.quarter_stops;
     exposure_.quarter_stops += first_sight_ ? distance : half_way(distance);
+    if (distance != 0) develop_later();
   }
   first_sight_ = false;
-  if (pace_ == Pace::kLive) {
-    if (picture_->pass_time() < kShortPass) pass_samples_ = std::min(pass_samples_ * 2, kMaxPassSamples);
-    if (picture_->pass_time() > kLongPass) pass_samples_ = std::max(pass_samples_ / 2, 1U);
-  }
+  side.underdeveloped = true;
   develop();
 }
 
-void Exhibit::develop() {
-  picture_->develop(exposure_, developed_);
-  underdeveloped_ = false;
+void Exhibit::judge(Side& side) {
+  const Clock::time_point now = Clock::now();
+  const bool grown = side.samples() - side.judged_samples >= side.judged_samples / kJudgeGrowth;
+  const bool lately = now - side.judged < kJudgePeriod;
+  if (pace_ == Pace::kLive && side.judged_samples > 1 && (lately || !grown)) return;
+  side.error = side.picture->error();
+  side.judged = now;
+  side.judged_samples = side.samples();
+}
+
+void Exhibit::meter() {
+  // Both sides are exposed alike: as the one that shows best how bright the scene is.
+  const auto error = [](const std::unique_ptr<Side>& side) {
+    return side->outdated() ? std::numeric_limits<double>::infinity() : side->error.value_or(1e9);
+  };
+  metered_ = (*std::ranges::min_element(sides_, {}, error))->picture->meter();
+}
+
+bool Exhibit::develop() {
+  bool any = false;
+  for (const std::unique_ptr<Side>& side : sides_) {
+    if (!side->underdeveloped || side->outdated()) continue;
+    side->picture->develop(view(), exposure_, side->shown);
+    side->underdeveloped = false;
+    any = true;
+  }
+  return any;
+}
+
+void Exhibit::develop_later() {
+  for (const std::unique_ptr<Side>& side : sides_) side->underdeveloped = true;
 }
 
 void Exhibit::fail(const std::string& reason) {

@@ -1,25 +1,32 @@
-// What is on show: a scene of the playlist in a mode and a number system, and the picture of it that gets
-// better pass by pass. Knows nothing of displays and buttons; it must only never let its caller wait.
+// What is on show: a scene of the playlist in a number system, and one way of sampling it or two side by
+// side, whose pictures get better pass by pass. Knows nothing of displays and buttons; it must only never let
+// its caller wait.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "comparison.h"
 #include "picture.h"
 #include "picture_size.h"
 #include "playlist.h"
 #include "scene_loader.h"
+#include "side.h"
 
 namespace vitrine {
 
 /// What the exhibit begins with.
 struct ExhibitSettings {
-  std::vector<PlaylistScene> scenes;  ///< at least one
-  const Mode* mode = nullptr;         ///< nullptr: the playlist's, or default_mode()
+  std::vector<PlaylistScene> scenes;     ///< at least one
+  const Mode* mode = nullptr;            ///< nullptr: the playlist's, or default_mode()
+  std::vector<ParameterChange> changes;  ///< to every mode that has such parameters
+  std::vector<Technique> compare;        ///< two to begin with side by side, or none
+  Fairness fairness = Fairness::kEqualSamples;
   Numbers numbers = Numbers::kFloat;
   std::uint64_t seed = 0;
   PictureSize size;
@@ -36,48 +43,66 @@ class Exhibit {
   Exhibit(ExhibitSettings settings, Pace pace, Workers& workers, LoadScene load);
 
   // Changes answer at once: they end the pass under way, and what is shown stays until advance() has
-  // something new.
+  // something new. Those of the technique are about the right one of two sides: the left one is what it is
+  // compared with, and goes on.
   void turn_scene(int by);
   void turn_mode(int by);
+  void turn_parameter(const Parameter& parameter);
   void switch_numbers();
   void resize(PictureSize size);
+  /// Puts the partner of the technique on show beside it, or takes the right side away.
+  void toggle_comparison();
+  void toggle_fairness();
+  /// Shows another scene, of the playlist or not, by one technique or two. The next turn of the scene goes on
+  /// from where the playlist has it.
+  void show(const PlaylistScene& scene, std::vector<Technique> techniques, Fairness fairness);
   void set_paused(bool paused) { paused_ = paused; }
+  void turn_view(int by);
   /// Sets the exposure by hand, beginning with the one in use.
   void brighten(int quarter_stops);
   void use_auto_exposure();
 
   /// Goes on: takes what was loaded, begins and ends passes. Live, it waits at most `patience` for the end of
-  /// a pass; stepped, it does one whole pass. Returns whether picture() or error() changed.
+  /// a pass; stepped, it does one whole pass, of one side. Returns whether sides() or error() changed.
   bool advance(std::chrono::milliseconds patience);
   /// Whether advance() has a pass to wait for.
-  [[nodiscard]] bool tracing() const { return tracing_; }
+  [[nodiscard]] bool tracing() const { return tracing_ != nullptr; }
 
-  [[nodiscard]] const PlaylistScene& scene() const { return settings_.scenes[scene_index_]; }
-  [[nodiscard]] const Mode& mode() const { return *mode_; }
+  [[nodiscard]] const PlaylistScene& scene() const { return scene_; }
+  /// One, or the left and the right one of a comparison.
+  [[nodiscard]] std::span<const std::unique_ptr<Side>> sides() const { return sides_; }
+  [[nodiscard]] bool comparing() const { return sides_.size() == 2; }
+  [[nodiscard]] Fairness fairness() const { return settings_.fairness; }
+  [[nodiscard]] const View& view() const { return views()[view_index_]; }
   [[nodiscard]] Numbers numbers() const { return settings_.numbers; }
-  /// Changes whenever the picture begins anew.
+  /// Changes whenever a picture begins anew.
   [[nodiscard]] std::uint64_t edition() const { return edition_; }
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] bool loading() const { return loading_; }
   /// Set by hand, relative to none at all.
   [[nodiscard]] std::optional<Exposure> manual_exposure() const;
-  /// Samples a pixel of the picture in the making.
-  [[nodiscard]] std::uint32_t samples() const { return picture_ ? picture_->samples() : 0; }
-  /// The latest picture; empty before the first.
-  [[nodiscard]] const DevelopedPicture& picture() const { return developed_; }
-  /// Whether picture() is of what was on show before.
-  [[nodiscard]] bool outdated() const { return samples() == 0; }
+  /// Traced by the passes that ended, of all pictures since the beginning.
+  [[nodiscard]] std::uint64_t rays() const { return rays_; }
   /// Why the scene cannot be shown; empty when it can.
   [[nodiscard]] const std::string& error() const { return error_; }
 
  private:
   void load();
+  void set_techniques(std::vector<Technique> techniques);
+  /// The side that the changes of the technique are about.
+  Side& changed_side() { return *sides_.back(); }
+  void change_technique(const Technique& technique);
   void start_over();
+  void start_over(Side& side);
   bool take_loaded();
-  void make_picture();
+  void make_picture(Side& side);
   void start_pass();
   void end_pass();
-  void develop();
+  void judge(Side& side);
+  void meter();
+  /// Develops what has become outdated; returns whether anything had.
+  bool develop();
+  void develop_later();
   void fail(const std::string& reason);
 
   ExhibitSettings settings_;
@@ -85,25 +110,24 @@ class Exhibit {
   Workers& workers_;
   SceneLoader loader_;
 
-  std::size_t scene_index_ = 0;
-  const Mode* mode_ = nullptr;
+  std::size_t scene_index_ = 0;  ///< in the playlist
+  PlaylistScene scene_;
+  std::size_t view_index_ = 0;
   std::uint64_t edition_ = 0;
   bool paused_ = false;
   bool loading_ = false;
   std::string error_;
   std::shared_ptr<const LoadedScene> loaded_;  ///< of the pictures below; while loading, the one before
-  std::unique_ptr<Picture> picture_;
-  std::unique_ptr<Picture> abandoned_;  ///< its workers may need a moment to notice
-  DevelopedPicture developed_;
+  std::vector<std::unique_ptr<Side>> sides_;
+  Side* tracing_ = nullptr;                          ///< the side whose pass is under way
+  std::uint32_t turn_samples_ = 0;                   ///< of that pass
+  std::vector<std::unique_ptr<Picture>> abandoned_;  ///< their workers may need a moment to notice
+  std::uint64_t rays_ = 0;
 
-  bool tracing_ = false;
-  std::uint32_t pass_samples_ = 1;
-
-  Exposure exposure_;            ///< in use
-  Exposure metered_;             ///< what the automatic exposure is heading for
-  bool manual_ = false;          ///< exposure_ was set by hand
-  bool first_sight_ = true;      ///< of this scene: the exposure need not change smoothly
-  bool underdeveloped_ = false;  ///< the exposure changed after the picture was developed
+  Exposure exposure_;        ///< in use
+  Exposure metered_;         ///< what the automatic exposure is heading for
+  bool manual_ = false;      ///< exposure_ was set by hand
+  bool first_sight_ = true;  ///< of this scene: the exposure need not change smoothly
 };
 
 }  // namespace vitrine

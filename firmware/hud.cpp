@@ -28,6 +28,12 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
+/// "4.1 Mrays/s"
+std::string ray_rate(double rays_per_second) {
+  return rays_per_second >= 999'500.0 ? format("%.1f Mrays/s", rays_per_second * 1e-6)
+                                      : format("%.0f krays/s", rays_per_second * 1e-3);
+}
+
 std::string clock_time(double seconds) {
   const auto whole = static_cast<int>(seconds);
   char text[32];
@@ -66,31 +72,60 @@ std::vector<std::string> wrapped(std::span<const std::string> texts, int size_px
   return lines;
 }
 
-/// Draws lines on a plate that is `y` pixels down, or so far up from the bottom when negative.
-void draw_plate(const Surface& surface, int y, std::span<const std::string> texts) {
+/// Where a plate lies: its columns [left, right), and `y` pixels down, or so far up from the bottom when
+/// negative.
+struct PlatePlace {
+  int left;
+  int right;
+  int y;
+};
+
+/// Draws lines on a plate no larger than they are; returns the row beneath it.
+int draw_plate(const Surface& surface, const PlatePlace& place, std::span<const std::string> texts) {
   const int size = text_size(surface);
   const int margin = size / 2;
-  const std::vector<std::string> lines = wrapped(texts, size, surface.width - 4 * margin);
-  if (lines.empty()) return;
+  const std::vector<std::string> lines = wrapped(texts, size, place.right - place.left - 4 * margin);
+  if (lines.empty()) return place.y;
   int width = 0;
   for (const std::string& line : lines) width = std::max(width, text_width(size, line));
   const int height = static_cast<int>(lines.size()) * text_height(size) + margin;
-  const int top = y >= 0 ? y : surface.height + y - height;
-  fill_rect(surface, {margin, top, width + 2 * margin, height}, kPlate, kPlateCoverage);
+  const int top = place.y >= 0 ? place.y : surface.height + place.y - height;
+  fill_rect(surface, {place.left + margin, top, width + 2 * margin, height}, kPlate, kPlateCoverage);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    draw_text(surface, 2 * margin, top + margin / 2 + static_cast<int>(i) * text_height(size), size, kBright,
-              lines[i]);
+    draw_text(surface, place.left + 2 * margin, top + margin / 2 + static_cast<int>(i) * text_height(size),
+              size, kBright, lines[i]);
   }
+  return top + height;
 }
 
 }  // namespace
 
+std::string percent(double ratio) {
+  const double value = 100.0 * ratio;
+  return format(value >= 9.95 ? "%.0f %%" : value >= 0.995 ? "%.1f %%" : "%.2f %%", value);
+}
+
+std::vector<std::string> side_lines(const HudSide& side) {
+  std::vector<std::string> lines{side.mode};
+  if (!side.changes.empty()) lines.push_back(side.changes);
+  if (!side.bias.empty()) lines.push_back("biased: " + side.bias);
+  lines.push_back(std::to_string(side.samples_per_pixel) + " spp" +
+                  (side.error ? " · error " + percent(*side.error) : ""));
+  return lines;
+}
+
 std::vector<std::string> hud_lines(const HudState& state) {
   if (!state.visible) return {};
-  std::vector<std::string> lines{state.title, state.mode + (state.unbiased ? "" : " (biased)")};
-  std::string progress = state.numbers + " · " + std::to_string(state.samples_per_pixel) + " spp";
-  if (state.frames_per_second > 0.0) progress += format(" · %.1f fps", state.frames_per_second);
-  lines.push_back(progress + " · " + clock_time(state.seconds));
+  std::vector<std::string> lines{state.title};
+  if (state.sides.size() == 1) {
+    for (std::string& line : side_lines(state.sides.front())) lines.push_back(std::move(line));
+  }
+  std::string session = state.numbers;
+  if (state.sides.size() > 1) session += " · " + state.fairness;
+  if (state.frames_per_second > 0.0) session += format(" · %.1f fps", state.frames_per_second);
+  if (state.rays_per_second > 0.0) session += " · " + ray_rate(state.rays_per_second);
+  lines.push_back(session + " · " + clock_time(state.seconds));
+  if (!state.view.empty()) lines.push_back(state.view + ": " + state.view_legend);
   if (state.exposure_stops) lines.push_back(format("exposure %+.2f EV", *state.exposure_stops));
   if (state.loading) lines.emplace_back("loading …");
   if (state.paused) lines.emplace_back("paused");
@@ -98,15 +133,45 @@ std::vector<std::string> hud_lines(const HudState& state) {
   return lines;
 }
 
+std::vector<std::string> hud_text(const HudState& state) {
+  std::vector<std::string> text = hud_lines(state);
+  if (state.visible) {
+    for (const HudSide& side : state.sides) {
+      for (std::string& line : side_lines(side)) text.push_back(std::move(line));
+    }
+    text.push_back(state.caption);
+  }
+  text.push_back(std::to_string(state.split));
+  text.push_back(state.error);
+  return text;
+}
+
+int split_column(double split, int width) {
+  return std::clamp(static_cast<int>(std::lround(split * width)), 0, width);
+}
+
+void draw_side_labels(const Surface& surface, std::span<const HudSide> sides, double split, int top) {
+  const int column = split_column(split, surface.width);
+  // A side may be too narrow for a label of its own; then there is none.
+  const int narrowest = 8 * text_size(surface);
+  const std::array places{PlatePlace{0, column, top}, PlatePlace{column, surface.width, top}};
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (places[i].right - places[i].left >= narrowest) draw_plate(surface, places[i], side_lines(sides[i]));
+  }
+}
+
 void draw_hud(const Surface& surface, const HudState& state) {
   const int margin = text_size(surface) / 2;
+  const PlatePlace bottom{0, surface.width, -margin};
   if (!state.error.empty()) {
     fill_rect(surface, {0, 0, surface.width, surface.height}, kCard);
-    draw_plate(surface, -margin, std::array{state.title + " cannot be shown", state.error});
+    draw_plate(surface, bottom, std::array{state.title + " cannot be shown", state.error});
   } else if (state.visible && !state.caption.empty()) {
-    draw_plate(surface, -margin, std::array{state.caption});
+    draw_plate(surface, bottom, std::array{state.caption});
   }
-  draw_plate(surface, margin, hud_lines(state));
+  const int below = draw_plate(surface, {0, surface.width, margin}, hud_lines(state));
+  if (state.visible && state.sides.size() > 1)
+    draw_side_labels(surface, state.sides, state.split, below + margin);
 }
 
 }  // namespace vitrine

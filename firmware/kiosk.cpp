@@ -7,6 +7,7 @@
 
 #include "film/image_files.h"
 #include "picture_view.h"
+#include "side_label.h"
 
 namespace vitrine {
 namespace {
@@ -21,6 +22,7 @@ constexpr milliseconds kStillPeriod{250};
 /// How long a press shows the labels when the HUD is off.
 constexpr std::chrono::seconds kLabelTime{2};
 constexpr int kExposureStep = 2;  // quarter stops
+constexpr int kSplitSteps = 16;   // over the width
 constexpr std::chrono::nanoseconds kSyntheticFrame{1'000'000'000 / 60};
 
 ExhibitSettings sized(ExhibitSettings settings, const DisplayMode& mode) {
@@ -39,7 +41,9 @@ Kiosk::Kiosk(Display& display, Buttons& buttons, const TimeSource& clock, Synthe
       last_frame_(settings.frames),
       screenshot_folder_(std::move(settings.screenshot_folder)),
       exhibit_(sized(std::move(settings.exhibit), display.mode()),
-               stepped != nullptr ? Pace::kStepped : Pace::kLive, workers, std::move(load)) {}
+               stepped != nullptr ? Pace::kStepped : Pace::kLive, workers, std::move(load)),
+      tour_(std::move(settings.lecture)),
+      split_(kSplitSteps / 2) {}
 
 KioskReport Kiosk::run(const std::atomic<bool>& stop) {
   const Clock::time_point began = Clock::now();
@@ -63,7 +67,7 @@ void Kiosk::live_step() {
   // A press is answered first; what it costs to make the new picture comes after.
   const bool changed = !unanswered_ && exhibit_.advance(kPassPatience);
   idle_ = !unanswered_ && !changed && !exhibit_.tracing();
-  if (changed || unanswered_ || hud_lines(describe()) != hud_lines(hud_) ||
+  if (changed || unanswered_ || hud_text(describe()) != hud_text(hud_) ||
       Clock::now() - presented_ > kStillPeriod) {
     present();
   }
@@ -84,19 +88,19 @@ void Kiosk::take_presses() {
   const std::vector<ButtonEvent> events = buttons_.poll(idle_ ? kIdlePatience : milliseconds(0));
   polled_ = Clock::now();
   for (const ButtonEvent& event : events) {
-    const std::optional<Action> action =
-        event.edge == Edge::kPress ? find_action(event.button) : std::nullopt;
-    if (!action) continue;
+    const ActionButton* const button = event.edge == Edge::kPress ? find_action(event.button) : nullptr;
+    if (button == nullptr) continue;
     ++report_.presses;
     if (!unanswered_) unanswered_ = stepped_ != nullptr ? polled_ : earliest;
     labels_until_ = clock_.now() + kLabelTime;
     notice_.clear();
-    perform(*action);
+    perform(*button);
   }
 }
 
-void Kiosk::perform(Action action) {
-  switch (action) {
+void Kiosk::perform(const ActionButton& button) {
+  if (button.leaves_lecture) tour_.leave();
+  switch (button.action) {
     case Action::kNextScene:
       return exhibit_.turn_scene(1);
     case Action::kPreviousScene:
@@ -105,6 +109,20 @@ void Kiosk::perform(Action action) {
       return exhibit_.turn_mode(1);
     case Action::kPreviousMode:
       return exhibit_.turn_mode(-1);
+    case Action::kParameter:
+      return exhibit_.turn_parameter(*button.parameter);
+    case Action::kLecture:
+      return next_stop();
+    case Action::kCompare:
+      return exhibit_.toggle_comparison();
+    case Action::kFairness:
+      return exhibit_.toggle_fairness();
+    case Action::kSplitLeft:
+      return move_split(-1);
+    case Action::kSplitRight:
+      return move_split(1);
+    case Action::kView:
+      return exhibit_.turn_view(1);
     case Action::kNumbers:
       return exhibit_.switch_numbers();
     case Action::kPause:
@@ -126,9 +144,22 @@ void Kiosk::perform(Action action) {
   }
 }
 
+void Kiosk::next_stop() {
+  if (tour_.empty()) {
+    notice_ = "no lecture is installed; name one with --lecture FILE";
+    return;
+  }
+  const LectureStop& stop = tour_.go_on();
+  exhibit_.show(stop.scene, stop.techniques, stop.fairness);
+}
+
+void Kiosk::move_split(int steps) { split_ = std::clamp(split_ + steps, 0, kSplitSteps); }
+
 void Kiosk::save_screenshot() {
-  const std::string name = "vitrine-" + exhibit_.scene().name + "-" + std::string(exhibit_.mode().key) + "-" +
-                           std::to_string(exhibit_.samples()) + "spp.png";
+  std::string name = "vitrine-" + exhibit_.scene().name;
+  for (const std::unique_ptr<Side>& side : exhibit_.sides())
+    name += "-" + std::string(side->technique.mode->key) + "-" + std::to_string(side->samples()) + "spp";
+  name += ".png";
   try {
     const DevelopedPicture picture = read_picture(display_.shown());
     write_png(screenshot_folder_ / name, picture.width, picture.height, picture.rgb);
@@ -151,17 +182,32 @@ void Kiosk::fit_display() {
   ticked_ = now;
 }
 
+void Kiosk::count_rays() {
+  // A pass may take longer than the rate's period: only its end is worth counting.
+  if (exhibit_.rays() == counted_rays_) return;
+  ray_rate_.count(clock_.now(), exhibit_.rays() - counted_rays_);
+  counted_rays_ = exhibit_.rays();
+}
+
 HudState Kiosk::describe() const {
   const bool pressed_lately = clock_.now() < labels_until_;
   HudState state;
   state.visible = hud_on_ || pressed_lately;
-  state.title = exhibit_.scene().title;
-  state.caption = exhibit_.scene().caption;
-  state.mode = exhibit_.mode().label;
-  state.unbiased = exhibit_.mode().unbiased;
+  state.title = tour_.stop() != nullptr ? tour_.title() : exhibit_.scene().title;
+  state.caption = tour_.stop() != nullptr ? tour_.stop()->caption : exhibit_.scene().caption;
+  state.sides.clear();
+  const std::span<const std::unique_ptr<Side>> sides = exhibit_.sides();
+  for (const std::unique_ptr<Side>& side : sides) {
+    const Side& other = side == sides.front() ? *sides.back() : *sides.front();
+    state.sides.push_back(side_label(side->technique, &other.technique, side->samples(), side->error));
+  }
+  state.split = static_cast<double>(split_) / kSplitSteps;
+  state.fairness = fairness_label(exhibit_.fairness());
+  state.view = exhibit_.view().label;
+  state.view_legend = exhibit_.view().legend;
   state.numbers = numbers_name(exhibit_.numbers());
-  state.samples_per_pixel = exhibit_.samples();
   state.frames_per_second = frame_rate_.per_second();
+  state.rays_per_second = ray_rate_.per_second();
   state.seconds = std::chrono::duration<double>(exposing_).count();
   if (const auto exposure = exhibit_.manual_exposure()) state.exposure_stops = exposure->quarter_stops / 4.0;
   state.paused = exhibit_.paused();
@@ -172,14 +218,15 @@ HudState Kiosk::describe() const {
 }
 
 void Kiosk::present() {
+  count_rays();
   hud_ = describe();
   const Surface surface = display_.acquire();
-  if (hud_.error.empty()) show_picture(surface, exhibit_.picture(), exhibit_.outdated());
+  if (hud_.error.empty()) show_sides(surface, exhibit_.sides(), split_column(hud_.split, surface.width));
   draw_hud(surface, hud_);
   display_.present();
 
   presented_ = Clock::now();
-  frame_rate_.count(clock_.now());
+  frame_rate_.count(clock_.now(), 1);
   ++report_.frames;
   if (unanswered_) {
     const std::chrono::duration<double, std::milli> answer =

@@ -13,13 +13,15 @@
 #include "clocks.h"
 #include "display.h"
 #include "exhibit.h"
-#include "frame_rate.h"
 #include "hud.h"
+#include "lecture.h"
+#include "rate.h"
 
 namespace vitrine {
 
 struct KioskSettings {
-  ExhibitSettings exhibit;                                           ///< the display says its size
+  ExhibitSettings exhibit;           ///< the display says its size
+  std::vector<LectureStop> lecture;  ///< what the button "lecture" steps through
   std::uint64_t frames = std::numeric_limits<std::uint64_t>::max();  ///< to present at most
   std::filesystem::path screenshot_folder = ".";
 };
@@ -47,12 +49,15 @@ class Kiosk {
 
  private:
   void take_presses();
-  void perform(Action action);
+  void perform(const ActionButton& button);
+  void next_stop();
+  void move_split(int steps);
   void save_screenshot();
   /// Follows the display's size and the time.
   void fit_display();
   void live_step();
   void stepped_step();
+  void count_rays();
   [[nodiscard]] HudState describe() const;
   void present();
 
@@ -63,13 +68,17 @@ class Kiosk {
   const std::uint64_t last_frame_;
   const std::filesystem::path screenshot_folder_;
   Exhibit exhibit_;
+  LectureTour tour_;
 
   bool quitting_ = false;
   bool idle_ = false;  ///< nothing to do but to wait for a press
   bool hud_on_ = true;
   Clock::time_point labels_until_;  ///< a press shows the labels even when the HUD is off
   std::string notice_;              ///< shown as long as they are
-  FrameRate frame_rate_;
+  int split_;                       ///< where two sides meet, in steps
+  Rate frame_rate_;
+  Rate ray_rate_;
+  std::uint64_t counted_rays_ = 0;
   std::uint64_t edition_ = 0;    ///< of the picture that exposing_ is about
   Clock::duration exposing_{0};  ///< since it was asked for, pauses not counted
   Clock::time_point ticked_;     ///< when exposing_ was brought up to date

@@ -4,6 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "frame/error_estimate.h"
+#include "numeric/host_conversion.h"
+
 namespace vitrine {
 namespace {
 
@@ -73,13 +76,22 @@ double Picture::progress() const {
   return static_cast<double>(tiles_done_) / static_cast<double>(tiles_.size());
 }
 
-void Picture::develop(Exposure exposure, DevelopedPicture& developed) const {
+std::optional<double> Picture::error() const {
+  std::vector<ErrorSums> sums(tiles_.size());
+  workers_.for_each(tiles_.size(), [&](std::size_t i) { sums[i] = sum_errors(film_, tiles_[i]); });
+  ErrorSums all;  // in the order of the tiles: the same on any number of workers
+  for (const ErrorSums& tile : sums) all += tile;
+  const std::optional<Wide> error = relative_error(all);
+  return error ? std::optional(to_host(*error)) : std::nullopt;
+}
+
+void Picture::develop(const View& view, Exposure exposure, DevelopedPicture& developed) const {
   developed.width = film_.width();
   developed.height = film_.height();
   developed.rgb.resize(static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height()) *
                        3);
   workers_.for_each(tiles_.size(), [&](std::size_t i) {
-    renderer_->develop(film_, tiles_[i], exposure, developed.rgb.data());
+    view.develop(*renderer_, film_, tiles_[i], exposure, developed.rgb.data());
   });
 }
 

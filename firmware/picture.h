@@ -8,11 +8,13 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "buttons.h"
 #include "film/film.h"
 #include "frame/renderer.h"
+#include "frame/views.h"
 #include "workers.h"
 
 namespace vitrine {
@@ -53,8 +55,10 @@ class Picture {
   [[nodiscard]] Clock::duration pass_time() const { return tile_ended_ - pass_began_; }
   [[nodiscard]] const Film& film() const { return film_; }
   [[nodiscard]] Exposure meter() const { return renderer_->meter(film_); }
-  /// Develops the film into `developed`, on all workers.
-  void develop(Exposure exposure, DevelopedPicture& developed) const;
+  /// The relative error that the picture is estimated to have, 1 being 100 %; on all workers.
+  [[nodiscard]] std::optional<double> error() const;
+  /// Develops a view of the film into `developed`, on all workers.
+  void develop(const View& view, Exposure exposure, DevelopedPicture& developed) const;
 
  private:
   void end_pass();

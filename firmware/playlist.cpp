@@ -13,7 +13,9 @@ namespace vitrine {
 namespace {
 
 PlaylistScene read_scene(const std::filesystem::path& path, const toml::table& table) {
-  require_known_keys(path, table, {"file", "title", "caption", "mode"});
+  require_known_keys(
+      path, table,
+      {"file", "title", "caption", "mode", "environment", "environment_nits", "environment_rotation"});
   const auto text = [&](const std::string& key) {
     return toml_value<std::string>(path, table, key, "a string");
   };
@@ -27,6 +29,7 @@ PlaylistScene read_scene(const std::filesystem::path& path, const toml::table& t
   scene.name = scene.file.stem().string();
   scene.title = text("title").value_or(scene.name);
   scene.caption = text("caption").value_or("");
+  scene.environment = read_environment_choice(path, table);
   if (const std::optional<std::string> key = text("mode")) {
     scene.mode = find_mode(*key);
     if (scene.mode == nullptr) {
@@ -37,29 +40,27 @@ PlaylistScene read_scene(const std::filesystem::path& path, const toml::table& t
   return scene;
 }
 
-bool is_scene_file(const std::string& argument) {
-  std::string ending = std::filesystem::path(argument).extension().string();
+}  // namespace
+
+bool is_scene_file(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return ending == ".gltf" || ending == ".glb";
 }
 
-}  // namespace
+PlaylistScene scene_of_file(const std::filesystem::path& file) {
+  const std::string name = file.stem().string();
+  return {.name = name, .file = file, .title = name, .caption = "", .mode = nullptr};
+}
 
 std::vector<PlaylistScene> read_playlist(const std::filesystem::path& path) {
   const toml::table root = read_toml(path);
-  require_known_keys(path, root, {"scene"});
-  const toml::node* list = root.get("scene");
-  const toml::array* tables = list == nullptr ? nullptr : list->as_array();
-  if (tables == nullptr || tables->empty() || !tables->is_homogeneous<toml::table>()) {
-    throw toml_error(path, (list == nullptr ? root : *list).source(), "no scenes",
-                     "write a [[scene]] table for each, with file and title");
-  }
   std::vector<PlaylistScene> scenes;
-  for (const toml::node& table : *tables) {
-    PlaylistScene scene = read_scene(path, *table.as_table());
+  for (const toml::table* table : toml_tables(path, root, "scene", "file and title")) {
+    PlaylistScene scene = read_scene(path, *table);
     if (std::ranges::find(scenes, scene.name, &PlaylistScene::name) != scenes.end()) {
-      throw toml_error(path, table.source(), "a second scene '" + scene.name + "'",
+      throw toml_error(path, table->source(), "a second scene '" + scene.name + "'",
                        "give its file another name");
     }
     scenes.push_back(std::move(scene));
@@ -67,14 +68,16 @@ std::vector<PlaylistScene> read_playlist(const std::filesystem::path& path) {
   return scenes;
 }
 
-std::optional<std::filesystem::path> installed_playlist() {
+std::optional<std::filesystem::path> installed_scenes_file(const std::string& name) {
   std::error_code ignored;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const std::filesystem::path playlist =
-      (program.parent_path() / "../share/vitrine/scenes/playlist.toml").lexically_normal();
-  if (!std::filesystem::exists(playlist, ignored)) return std::nullopt;
-  return playlist;
+  const std::filesystem::path file =
+      (program.parent_path() / "../share/vitrine/scenes" / name).lexically_normal();
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  return file;
 }
+
+std::optional<std::filesystem::path> installed_playlist() { return installed_scenes_file("playlist.toml"); }
 
 std::vector<PlaylistScene> find_playlist(const std::optional<std::filesystem::path>& path) {
   if (path) return read_playlist(*path);
@@ -83,10 +86,7 @@ std::vector<PlaylistScene> find_playlist(const std::optional<std::filesystem::pa
 }
 
 PlaylistScene resolve_scene(const std::string& argument, std::span<const PlaylistScene> playlist) {
-  if (is_scene_file(argument)) {
-    const std::string name = std::filesystem::path(argument).stem().string();
-    return {.name = name, .file = argument, .title = name, .caption = "", .mode = nullptr};
-  }
+  if (is_scene_file(argument)) return scene_of_file(argument);
   const auto found = std::ranges::find(playlist, argument, &PlaylistScene::name);
   if (found != playlist.end()) return *found;
   std::vector<std::string> names;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "environment_choice.h"
 #include "integrators/modes.h"
 
 namespace vitrine {
@@ -15,15 +16,24 @@ struct PlaylistScene {
   std::string name;            ///< the file's name without folder and ending: what the command line calls it
   std::filesystem::path file;  ///< as it can be opened
   std::string title;
-  std::string caption;         ///< a sentence for visitors; may be empty
-  const Mode* mode = nullptr;  ///< to begin with; nullptr: the one in use
+  std::string caption;                                     ///< a sentence for visitors; may be empty
+  const Mode* mode = nullptr;                              ///< to begin with; nullptr: the one in use
+  std::optional<EnvironmentChoice> environment{};          ///< instead of the one that the file brings
+  std::optional<EnvironmentChoice> default_environment{};  ///< where the file brings no light at all
 };
 
 /// Reads a playlist: `[[scene]]` tables with `file` (relative to the playlist), `title`, and optionally
-/// `caption` and `mode`. Scene files are not opened. Throws InputError.
+/// `caption`, `mode` and the keys of an environment. Scene files are not opened. Throws InputError.
 std::vector<PlaylistScene> read_playlist(const std::filesystem::path& path);
 
-/// The playlist that is installed with the program (or lies beside it in a build folder), if there is one.
+/// Whether it has the ending of a scene: .gltf or .glb.
+bool is_scene_file(const std::filesystem::path& path);
+/// A scene that no playlist says anything about.
+PlaylistScene scene_of_file(const std::filesystem::path& file);
+
+/// A file that is installed with the scenes (or lies with them beside a build folder), if there is one.
+std::optional<std::filesystem::path> installed_scenes_file(const std::string& name);
+/// The playlist that is installed, if there is one.
 std::optional<std::filesystem::path> installed_playlist();
 
 /// The scenes of `path`, or else of the installed playlist; none when that does not exist. Throws InputError.

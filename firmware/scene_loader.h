@@ -44,7 +44,8 @@ class SceneLoader {
     Numbers numbers = Numbers::kFloat;
 
     [[nodiscard]] bool same_as(const Wish& other) const {
-      return scene.file == other.scene.file && numbers == other.numbers;
+      return scene.file == other.scene.file && scene.environment == other.scene.environment &&
+             scene.default_environment == other.scene.default_environment && numbers == other.numbers;
     }
   };
 

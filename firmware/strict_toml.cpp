@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <vector>
 
 #include "nearest_name.h"
 
@@ -31,13 +30,26 @@ InputError toml_error(const std::filesystem::path& path, const toml::source_regi
 }
 
 void require_known_keys(const std::filesystem::path& path, const toml::table& table,
-                        std::initializer_list<std::string> known) {
+                        std::span<const std::string> known) {
   for (const auto& [key, value] : table) {
     if (std::ranges::find(known, key.str()) != known.end()) continue;
-    const std::vector<std::string> candidates(known);
     throw toml_error(path, key.source(), "unknown key '" + std::string(key.str()) + "'",
-                     name_remedy(key.str(), candidates));
+                     name_remedy(key.str(), known));
   }
+}
+
+std::vector<const toml::table*> toml_tables(const std::filesystem::path& path, const toml::table& root,
+                                            const std::string& key, const std::string& content) {
+  require_known_keys(path, root, {key});
+  const toml::node* list = root.get(key);
+  const toml::array* tables = list == nullptr ? nullptr : list->as_array();
+  if (tables == nullptr || tables->empty() || !tables->is_homogeneous<toml::table>()) {
+    throw toml_error(path, (list == nullptr ? root : *list).source(), "no " + key + "s",
+                     "write a [[" + key + "]] table for each, with " + content);
+  }
+  std::vector<const toml::table*> found;
+  for (const toml::node& table : *tables) found.push_back(table.as_table());
+  return found;
 }
 
 }  // namespace vitrine

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <toml++/toml.h>
 
@@ -22,7 +24,16 @@ InputError toml_error(const std::filesystem::path& path, const toml::source_regi
 
 /// Throws InputError when `table` has a key that is not one of `known`.
 void require_known_keys(const std::filesystem::path& path, const toml::table& table,
-                        std::initializer_list<std::string> known);
+                        std::span<const std::string> known);
+inline void require_known_keys(const std::filesystem::path& path, const toml::table& table,
+                               std::initializer_list<std::string> known) {
+  require_known_keys(path, table, std::span(known.begin(), known.size()));
+}
+
+/// The tables of a file whose only key is the array of tables `key`. Throws InputError when there is none.
+/// `content` completes "write a [[KEY]] table for each, with ...".
+std::vector<const toml::table*> toml_tables(const std::filesystem::path& path, const toml::table& root,
+                                            const std::string& key, const std::string& content);
 
 /// The value of `key`, nothing when absent. Throws InputError when it is no T. `expected` completes "KEY must
 /// be ...".

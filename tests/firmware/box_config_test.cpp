@@ -26,20 +26,24 @@ TEST(BoxConfig, ReadsEveryKey) {
   const BoxConfig config = read_box_config(
       folder.write("kiosk.toml",
                    "display = 'headless'\nbuttons = 'sdl,script'\nplaylist = 'list.toml'\nsize = '320x240'\n"
-                   "mode = 'nee'\nnumbers = 'fixed'\nthreads = 3\n"));
+                   "mode = 'nee'\nnumbers = 'fixed'\nthreads = 3\nlecture = 'tour.toml'\n"
+                   "environment = 'sky.hdr'\nenvironment_nits = 20\nenvironment_rotation = -1.5\n"));
   EXPECT_EQ(config.display, "headless");
   EXPECT_EQ(config.buttons, "sdl,script");
   EXPECT_EQ(config.playlist, folder.path() / "list.toml");
+  EXPECT_EQ(config.lecture, folder.path() / "tour.toml");
   EXPECT_EQ(config.size, (PictureSize{320, 240}));
   EXPECT_EQ(config.mode, find_mode("nee"));
   EXPECT_EQ(config.numbers, Numbers::kFixed);
   EXPECT_EQ(config.threads, 3);
+  EXPECT_EQ(config.environment,
+            (EnvironmentChoice{.file = folder.path() / "sky.hdr", .nits = 20.0, .rotation_deg = -1.5}));
 }
 
 TEST(BoxConfig, TheInstalledOneIsGoodAndLeavesAllOpen) {
   const BoxConfig config = read_box_config(VITRINE_SOURCE_DIR "/firmware/kiosk.toml");
   EXPECT_FALSE(config.display || config.buttons || config.playlist || config.size || config.mode ||
-               config.threads);
+               config.threads || config.environment);
 }
 
 TEST(BoxConfig, SaysWhereItIsWrong) {
@@ -50,6 +54,10 @@ TEST(BoxConfig, SaysWhereItIsWrong) {
   EXPECT_THAT(refusal("numbers = 'double'\n"), HasSubstr("this is no numbers"));
   EXPECT_THAT(refusal("threads = 0\n"), HasSubstr("from 1 to 1024"));
   EXPECT_THAT(refusal("threads = 1.5\n"), HasSubstr("a whole number"));
+  EXPECT_THAT(refusal("environment = 3\n"), HasSubstr("it must be a string"));
+  EXPECT_THAT(refusal("environment = 'a.hdr'\nenvironment_nits = 0\n"), HasSubstr("line 2, column 20"));
+  EXPECT_THAT(refusal("environment = 'a.hdr'\nenvironment_rotation = 'left'\n"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("environment_nits = 10\n"), HasSubstr("without environment"));
 }
 
 TEST(BoxConfig, TheCommandLineHasTheLastWord) {
@@ -58,9 +66,13 @@ TEST(BoxConfig, TheCommandLineHasTheLastWord) {
   file.threads = 2;
   BoxConfig typed;
   typed.display = "headless";
+  file.environment = EnvironmentChoice{.file = "a.hdr", .nits = 5.0};
   const BoxConfig both = overlay(file, typed);
   EXPECT_EQ(both.display, "headless");
   EXPECT_EQ(both.threads, 2);
+  EXPECT_EQ(both.environment, file.environment);
+  typed.environment = EnvironmentChoice{.file = "b.hdr"};
+  EXPECT_EQ(overlay(file, typed).environment, typed.environment);
 }
 
 }  // namespace

@@ -61,6 +61,34 @@ TEST(CommandLine, RenderTakesTheContractsOptions) {
   EXPECT_TRUE(render.json);
 }
 
+TEST(CommandLine, EveryParameterIsAnOptionOfRunAndRender) {
+  Words words{"box", "--lecture", "tour.toml"};
+  Words render_words{"render", "box", "-o", "a.png", "--mode", "mis"};
+  Technique expected = technique_of(*find_mode("mis"));
+  for (const Parameter& parameter : parameters()) {
+    for (Words* both : {&words, &render_words}) {
+      both->push_back("--" + std::string(parameter.name));
+      both->emplace_back(parameter.cycle.back());
+    }
+    parameter.set(expected.parts, parameter.cycle.back());
+  }
+  const auto run = parsed<RunRequest>(words);
+  EXPECT_EQ(technique_of(*find_mode("mis"), run.changes), expected);
+  EXPECT_EQ(run.box.lecture, "tour.toml");
+  EXPECT_EQ(parsed<RenderRequest>(render_words).techniques, std::vector{expected});
+}
+
+TEST(CommandLine, ComparesTwoModes) {
+  const auto run = parsed<RunRequest>({"--compare", "basic,nee", "--equal-time"});
+  EXPECT_EQ(run.compare, parse_comparison("basic,nee"));
+  EXPECT_EQ(run.fairness, Fairness::kEqualTime);
+  const auto render = parsed<RenderRequest>(
+      {"render", "box", "-o", "a.png", "--compare", "basic,nee", "--shadow-rays", "4", "--split", "0.25"});
+  EXPECT_EQ(render.techniques, parse_comparison("basic,nee shadow-rays=4")) << "for the side that has it";
+  EXPECT_EQ(render.split, 0.25);
+  EXPECT_EQ(render.fairness, Fairness::kEqualSamples);
+}
+
 TEST(CommandLine, RenderDefaultsToMis) {
   const auto render = parsed<RenderRequest>({"render", "box", "-o", "a.png"});
   EXPECT_EQ(render.options.mode, find_mode("mis"));

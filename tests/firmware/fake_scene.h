@@ -22,8 +22,11 @@ struct FakeWorld {
 
 /// The grey that a fake picture of this mode shows.
 inline std::uint8_t fake_grey(const Mode& mode) {
-  return static_cast<std::uint8_t>(100 + 50 * (&mode - modes().data()));
+  return static_cast<std::uint8_t>(100 + 10 * (&mode - modes().data()));
 }
+
+/// The rays that a fake sample of this mode costs.
+inline std::uint64_t fake_cost(const Mode& mode) { return mode.key == "basic" ? 1 : 3; }
 
 class FakeRenderer final : public Renderer {
  public:
@@ -48,6 +51,7 @@ class FakeRenderer final : public Renderer {
       }
     }
     stats.samples = static_cast<std::uint64_t>(tile.width() * tile.height()) * samples.count;
+    stats.rays = stats.samples * fake_cost(*options_.mode);
     return stats;
   }
   [[nodiscard]] Exposure meter(const Film&) const override { return {.quarter_stops = 4}; }

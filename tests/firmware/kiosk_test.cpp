@@ -3,6 +3,7 @@
 #include "kiosk.h"
 
 #include <functional>
+#include <map>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,15 @@ class KioskTest : public testing::Test {
     settings.exhibit.scenes = {named_scene("first"), named_scene("second"), named_scene("third")};
     settings.exhibit.mode = &modes()[0];
     settings.screenshot_folder = folder_.path();
+    settings.lecture = {{.section = "One",
+                         .caption = "First.",
+                         .scene = named_scene("second"),
+                         .techniques = {parse_technique("nee shadow-rays=16")}},
+                        {.section = "Two",
+                         .caption = "Second.",
+                         .scene = named_scene("unlisted"),
+                         .techniques = parse_comparison("basic,mis"),
+                         .fairness = Fairness::kEqualTime}};
     return settings;
   }
   [[nodiscard]] Rgb8 shown_corner() const {
@@ -82,15 +92,15 @@ TEST_F(KioskTest, APressInMidPassIsAnsweredBeforeTheWorkersEvenNotice) {
   bool answered = false;
   display_.on_present = [&] {
     if (!pressed) return;
-    EXPECT_EQ(kiosk.hud().mode, modes()[1].label);
+    EXPECT_EQ(kiosk.hud().sides[0].mode, modes()[1].label);
     if (!answered) {
       EXPECT_GT(world_.tracing, 0);
-      EXPECT_EQ(kiosk.hud().samples_per_pixel, 0U);
+      EXPECT_EQ(kiosk.hud().sides[0].samples_per_pixel, 0U);
       answered = true;
       world_.endless = false;
       world_.deaf = false;
     }
-    stop_ = kiosk.hud().samples_per_pixel > 0;
+    stop_ = kiosk.hud().sides[0].samples_per_pixel > 0;
   };
   const KioskReport report = kiosk.run(stop_);
   EXPECT_GT(world_.cancelled, 0);
@@ -102,7 +112,7 @@ TEST_F(KioskTest, TheOldPictureStaysUnderTheNewLabel) {
   Kiosk kiosk(display_, buttons_, system_, nullptr, workers_, fake_loader(world_), settings());
   bool pressed = false;
   buttons_.next_press = [&]() -> std::vector<std::string> {
-    if (pressed || kiosk.hud().samples_per_pixel == 0) return {};
+    if (pressed || kiosk.hud().sides[0].samples_per_pixel == 0) return {};
     pressed = true;
     return {"mode"};
   };
@@ -113,7 +123,7 @@ TEST_F(KioskTest, TheOldPictureStaysUnderTheNewLabel) {
     if (!answered) {
       EXPECT_EQ(corner.g, fake_grey(modes()[0]) / 2) << "dimmed";
       answered = true;
-    } else if (kiosk.hud().samples_per_pixel > 0) {
+    } else if (kiosk.hud().sides[0].samples_per_pixel > 0) {
       EXPECT_EQ(corner.g, fake_grey(modes()[1]));
       stop_ = true;
     }
@@ -130,7 +140,7 @@ TEST_F(KioskTest, SaysLoadingWhileASceneLoads) {
   Kiosk kiosk(display_, buttons_, system_, nullptr, workers_, load, settings());
   bool pressed = false;
   buttons_.next_press = [&]() -> std::vector<std::string> {
-    if (pressed || kiosk.hud().samples_per_pixel == 0) return {};
+    if (pressed || kiosk.hud().sides[0].samples_per_pixel == 0) return {};
     pressed = true;
     return {"scene"};
   };
@@ -140,7 +150,7 @@ TEST_F(KioskTest, SaysLoadingWhileASceneLoads) {
     EXPECT_EQ(kiosk.hud().title, "The second");
     said = said || kiosk.hud().loading;
     if (kiosk.hud().loading) go = true;
-    stop_ = !kiosk.hud().loading && kiosk.hud().samples_per_pixel > 0;
+    stop_ = !kiosk.hud().loading && kiosk.hud().sides[0].samples_per_pixel > 0;
   };
   kiosk.run(stop_);
   EXPECT_TRUE(said);
@@ -160,7 +170,7 @@ TEST_F(KioskTest, ABrokenSceneIsACardAndTheNextPressGoesOn) {
     pressed = true;
     return {"scene"};
   };
-  display_.on_present = [&] { stop_ = pressed && kiosk.hud().samples_per_pixel > 0; };
+  display_.on_present = [&] { stop_ = pressed && kiosk.hud().sides[0].samples_per_pixel > 0; };
   kiosk.run(stop_);
   EXPECT_EQ(kiosk.hud().title, "The second");
   EXPECT_TRUE(kiosk.hud().error.empty());
@@ -171,11 +181,11 @@ TEST_F(KioskTest, FollowsTheDisplaysSize) {
   int resized_frames = 0;
   display_.on_present = [&] {
     if (resized_frames > 0 && ++resized_frames == 2) {
-      EXPECT_LE(kiosk.hud().samples_per_pixel, 1U) << "begun anew";
+      EXPECT_LE(kiosk.hud().sides[0].samples_per_pixel, 1U) << "begun anew";
     }
     if (resized_frames > 0) {
-      stop_ = kiosk.hud().samples_per_pixel > 0 && shown_corner().g == fake_grey(modes()[0]);
-    } else if (kiosk.hud().samples_per_pixel > 1) {
+      stop_ = kiosk.hud().sides[0].samples_per_pixel > 0 && shown_corner().g == fake_grey(modes()[0]);
+    } else if (kiosk.hud().sides[0].samples_per_pixel > 1) {
       display_.size = {101, 67};
       resized_frames = 1;
     }
@@ -215,7 +225,7 @@ TEST_F(SteppedKioskTest, EachFrameIsASixtiethAndASample) {
   run(
       130, [](std::uint64_t) { return std::vector<std::string>{}; },
       [](std::uint64_t frame, const HudState& hud) {
-        EXPECT_EQ(hud.samples_per_pixel, frame + 1);
+        EXPECT_EQ(hud.sides[0].samples_per_pixel, frame + 1);
         EXPECT_NEAR(hud.seconds, static_cast<double>(frame) / 60.0, 1e-6);
         if (frame > 31) {
           EXPECT_NEAR(hud.frames_per_second, 60.0, 0.01);
@@ -231,7 +241,7 @@ TEST_F(SteppedKioskTest, PauseStopsSamplesAndTime) {
       },
       [](std::uint64_t frame, const HudState& hud) {
         EXPECT_EQ(hud.paused, frame >= 3 && frame < 6);
-        EXPECT_EQ(hud.samples_per_pixel, frame < 3 ? frame + 1 : frame < 6 ? 3 : frame - 2);
+        EXPECT_EQ(hud.sides[0].samples_per_pixel, frame < 3 ? frame + 1 : frame < 6 ? 3 : frame - 2);
       });
 }
 
@@ -280,6 +290,159 @@ TEST_F(SteppedKioskTest, SavesWhatIsShown) {
         EXPECT_EQ(hud.notice, frame == 2 ? "saved vitrine-first-basic-2spp.png" : "");
       });
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "vitrine-first-basic-2spp.png"));
+}
+
+using Names = std::vector<std::string>;
+
+/// The presses of a session: a button at each frame that has one.
+std::function<Names(std::uint64_t)> presses_at(std::map<std::uint64_t, std::string> buttons) {
+  return [buttons = std::move(buttons)](std::uint64_t frame) {
+    const auto found = buttons.find(frame);
+    return found == buttons.end() ? Names{} : Names{found->second};
+  };
+}
+
+TEST_F(SteppedKioskTest, TheLectureGoesFromStopToStopUntilAnotherButtonLeavesIt) {
+  const std::map<std::uint64_t, std::string> presses{{1, "lecture"}, {3, "pause"},    {4, "pause"},
+                                                     {5, "lecture"}, {7, "lecture"},  {9, "lecture"},
+                                                     {11, "mode"},   {13, "lecture"}, {15, "scene"}};
+  run(17, presses_at(presses), [](std::uint64_t frame, const HudState& hud) {
+    const auto expect = [&](const std::string& title, const std::string& caption, std::size_t sides) {
+      EXPECT_EQ(hud.title, title) << frame;
+      EXPECT_EQ(hud.caption, caption) << frame;
+      EXPECT_EQ(hud.sides.size(), sides) << frame;
+    };
+    if (frame == 0) expect("The first", "", 1);
+    if (frame >= 1 && frame < 5) expect("1/2 One", "First.", 1);  // the pause does not leave it
+    if (frame == 2) {
+      EXPECT_EQ(hud.sides[0].changes, "Shadow rays 16");
+    }
+    if (frame >= 5 && frame < 7) {
+      expect("2/2 Two", "Second.", 2);
+      EXPECT_EQ(hud.fairness, "equal time");
+    }
+    if (frame >= 7 && frame < 9) expect("1/2 One", "First.", 1);  // round again
+    if (frame >= 9 && frame < 11) expect("2/2 Two", "Second.", 2);
+    if (frame >= 11 && frame < 13) expect("The unlisted", "", 2);    // left by a change of the mode
+    if (frame >= 13 && frame < 15) expect("2/2 Two", "Second.", 2);  // back to the stop that was left
+    if (frame >= 15) expect("The third", "", 2);  // after the scene of the last stop that the playlist has
+  });
+}
+
+TEST_F(KioskTest, WithoutALectureTheButtonSaysSo) {
+  KioskSettings none = settings();
+  none.lecture.clear();
+  none.frames = 2;
+  Kiosk kiosk(display_, buttons_, synthetic_, &synthetic_, workers_, fake_loader(world_), none);
+  buttons_.next_press = [] { return Names{"lecture"}; };
+  kiosk.run(stop_);
+  EXPECT_NE(kiosk.hud().notice.find("--lecture"), std::string::npos);
+  EXPECT_EQ(kiosk.hud().title, "The first");
+}
+
+TEST_F(SteppedKioskTest, TheSplitMovesOverPicturesThatGoOn) {
+  display_.size = {320, 200};
+  const auto shown = [&](int x) { return read_pixel(display_.shown(), x, 199).g; };
+  std::map<std::uint64_t, std::string> presses{{1, "compare"}};
+  for (std::uint64_t frame = 4; frame < 24; ++frame) presses[frame] = "split-left";
+  for (std::uint64_t frame = 24; frame < 60; ++frame) presses[frame] = "split-right";
+  run(60, presses_at(presses), [&](std::uint64_t frame, const HudState& hud) {
+    if (frame < 3) return;
+    const auto column = static_cast<int>(hud.split * 320.0);
+    if (frame < 4) {
+      EXPECT_EQ(column, 160);
+    }
+    const std::uint8_t left = fake_grey(*find_mode("basic"));
+    const std::uint8_t right = fake_grey(*find_mode("nee"));
+    if (column > 3) {
+      EXPECT_EQ(shown(column - 3), left) << frame;
+    }
+    if (column < 317) {
+      EXPECT_EQ(shown(column + 3), right) << frame;
+    }
+    EXPECT_EQ(hud.split, frame < 4 ? 0.5 : hud.split);
+    if (frame == 20) {
+      EXPECT_EQ(hud.split, 0.0) << "it stops at the edge";
+    }
+    if (frame == 59) {
+      EXPECT_EQ(hud.split, 1.0);
+    }
+    // Moving it began nothing anew.
+    EXPECT_GE(hud.sides[0].samples_per_pixel + hud.sides[1].samples_per_pixel, frame);
+  });
+}
+
+TEST_F(SteppedKioskTest, AParameterHasAButtonAndTheLabelNamesIt) {
+  std::map<std::uint64_t, std::string> presses;
+  std::uint64_t frame = 1;
+  for (const Parameter& parameter : parameters()) presses[frame++] = parameter.name;
+  std::vector<std::string> said;
+  run(frame + 1, presses_at(presses),
+      [&](std::uint64_t, const HudState& hud) { said.push_back(hud.sides[0].changes); });
+  EXPECT_EQ(said[0], "");
+  Technique expected = technique_of(modes()[0]);
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    expected = turned(expected, parameters()[i]);
+    EXPECT_EQ(said[i + 1], describe_changes(expected)) << parameters()[i].name;
+  }
+  EXPECT_FALSE(said.back().empty());
+}
+
+TEST_F(SteppedKioskTest, TheLabelsTellErrorAndRays) {
+  run(
+      80, [](std::uint64_t) { return Names{}; },
+      [](std::uint64_t frame, const HudState& hud) {
+        EXPECT_EQ(hud.sides[0].error.has_value(), frame > 0) << "a single sample tells no error";
+        if (frame > 40) {
+          EXPECT_NEAR(hud.rays_per_second, 64.0 * 48.0 * 60.0, 64.0 * 48.0 * 2.1);
+        }
+      });
+}
+
+TEST_F(SteppedKioskTest, TheViewIsNamedWithItsLegend) {
+  run(4, presses_at({{1, "view"}, {3, "view"}}), [](std::uint64_t frame, const HudState& hud) {
+    EXPECT_EQ(hud.view.empty(), frame == 0 || frame == 3);
+    EXPECT_EQ(hud.view_legend.empty(), frame == 0 || frame == 3);
+  });
+}
+
+// The answer to a press must not wait for either side's pass.
+TEST_F(KioskTest, APressInMidPassOfAComparisonIsAnsweredBeforeTheWorkersEvenNotice) {
+  for (const std::string button : {"compare", "mode", "scene", "lecture", "numbers", "shadow-rays"}) {
+    KioskSettings compared = settings();
+    compared.exhibit.compare = parse_comparison("basic,nee");
+    Kiosk kiosk(display_, buttons_, system_, nullptr, workers_, fake_loader(world_), compared);
+    bool pressed = false;
+    bool answered = false;
+    stop_ = false;
+    buttons_.next_press = [&]() -> Names {
+      if (pressed || world_.tracing == 0 || kiosk.hud().sides.back().samples_per_pixel == 0) {
+        // Both sides have something to show: from now on no pass ends.
+        world_.endless = kiosk.hud().sides.back().samples_per_pixel > 0 && !answered;
+        world_.deaf = world_.endless.load();
+        return {};
+      }
+      if (!world_.endless) {
+        world_.endless = true;
+        world_.deaf = true;
+        return {};
+      }
+      pressed = true;
+      return {button};
+    };
+    display_.on_present = [&] {
+      if (!pressed) return;
+      if (!answered) {
+        EXPECT_GT(world_.tracing, 0) << button;
+        answered = true;
+        world_.endless = false;
+        world_.deaf = false;
+      }
+      stop_ = kiosk.hud().sides.front().samples_per_pixel > 0;
+    };
+    EXPECT_EQ(kiosk.run(stop_).presses, 1U) << button;
+    display_.on_present = [] {};
+  }
 }
 
 }  // namespace

@@ -32,10 +32,10 @@ class PlaylistTest : public testing::Test {
 };
 
 TEST_F(PlaylistTest, ReadsScenesInOrder) {
-  const auto path =
-      folder_.write("playlist.toml",
-                    "[[scene]]\nfile = 'b/box.gltf'\ntitle = 'A box'\ncaption = 'See?'\nmode = 'nee'\n"
-                    "[[scene]]\nfile = 'lamp.glb'\n");
+  const auto path = folder_.write(
+      "playlist.toml",
+      "[[scene]]\nfile = 'b/box.gltf'\ntitle = 'A box'\ncaption = 'See?'\nmode = 'nee'\n"
+      "[[scene]]\nfile = 'lamp.glb'\nenvironment = 'sky/dusk.hdr'\nenvironment_rotation = 90\n");
   const std::vector<PlaylistScene> scenes = read_playlist(path);
   ASSERT_EQ(scenes.size(), 2U);
   EXPECT_EQ(scenes[0].name, "box");
@@ -45,6 +45,9 @@ TEST_F(PlaylistTest, ReadsScenesInOrder) {
   EXPECT_EQ(scenes[0].mode, find_mode("nee"));
   EXPECT_EQ(scenes[1].title, "lamp");
   EXPECT_EQ(scenes[1].mode, nullptr);
+  EXPECT_FALSE(scenes[0].environment);
+  EXPECT_EQ(scenes[1].environment,
+            (EnvironmentChoice{.file = folder_.path() / "sky/dusk.hdr", .rotation_deg = 90.0}));
 }
 
 TEST_F(PlaylistTest, SaysWhereItIsWrong) {

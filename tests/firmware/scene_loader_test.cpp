@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "firmware/fake_scene.h"
+#include "firmware/temporary_folder.h"
+#include "scene/input_error.h"
 
 namespace vitrine {
 namespace {
@@ -65,6 +67,53 @@ TEST(SceneLoader, KeepsTheLatestScenes) {
   EXPECT_EQ(loads, 6);
   show("a", Numbers::kFloat);
   EXPECT_EQ(loads, 7) << "the oldest gave way";
+}
+
+TEST(SceneLoader, AnotherEnvironmentIsAnotherScene) {
+  FakeWorld world;
+  int loads = 0;
+  SceneLoader loader(
+      [&](const PlaylistScene&, Numbers) {
+        ++loads;
+        return fake_scene(world);
+      },
+      SceneLoader::Timing::kAtOnce);
+  PlaylistScene scene = named_scene("a");
+  for (const double nits : {1.0, 2.0, 1.0}) {
+    scene.environment = EnvironmentChoice{.file = "sky.hdr", .nits = nits};
+    loader.request(scene, Numbers::kFloat);
+  }
+  EXPECT_EQ(loads, 2);
+}
+
+constexpr const char* kDarkTriangle = R"({
+  "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}],
+  "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]
+})";
+
+// Which picture lights a scene tells itself by which missing file stops it.
+TEST(LoadedSceneEnvironment, TheScenesChoiceAlwaysAndTheDefaultWhereThereIsNoLight) {
+  const std::filesystem::path scenes = VITRINE_SOURCE_DIR "/scenes";
+  PlaylistScene lit{.name = "cornell", .file = scenes / "cornell.gltf", .title = "", .caption = ""};
+  const std::size_t lights = load_scene(lit, Numbers::kFloat)->baked->light_count();
+  lit.default_environment = EnvironmentChoice{.file = "missing.hdr"};
+  EXPECT_NO_THROW((void)load_scene(lit, Numbers::kFloat));
+  lit.environment = EnvironmentChoice{.file = scenes / "evening.hdr"};
+  EXPECT_EQ(load_scene(lit, Numbers::kFixed)->baked->light_count(), lights + 1);
+  lit.environment->file = "missing.hdr";
+  EXPECT_THROW((void)load_scene(lit, Numbers::kFloat), InputError);
+
+  const TemporaryFolder folder;
+  PlaylistScene dark{
+      .name = "dark", .file = folder.write("dark.gltf", kDarkTriangle), .title = "", .caption = ""};
+  EXPECT_EQ(load_scene(dark, Numbers::kFloat)->baked->light_count(), 1U) << "the default sky";
+  dark.default_environment = EnvironmentChoice{.file = scenes / "evening.hdr"};
+  EXPECT_EQ(load_scene(dark, Numbers::kFloat)->baked->light_count(), 1U) << "the picture instead";
+  dark.default_environment->file = "missing.hdr";
+  EXPECT_THROW((void)load_scene(dark, Numbers::kFloat), InputError);
 }
 
 TEST(SceneLoader, TriesAFailedSceneAgain) {

@@ -3,6 +3,7 @@
 #include "button_strip.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -77,6 +78,23 @@ TEST(ButtonStrip, APressShowsOnItsButtonAlone) {
     }
   }
   EXPECT_GT(changed, mode.width * mode.height * 8 / 10);
+}
+
+/// A box of many buttons: the smaller the panel, the smaller they are, so that they do not outgrow it.
+TEST(ButtonStrip, ManyButtonsStaySmallerThanTheirPanel) {
+  std::vector<ButtonSpec> many;
+  for (int n = 0; n < 26; ++n)
+    many.push_back({"b" + std::to_string(n), n % 4 == 0 ? "A longer one" : "Button", "K"});
+  const ButtonStrip strip(many);
+  for (const auto& [width, height] : {std::pair{320, 240}, {480, 320}, {800, 480}, {1280, 720}}) {
+    EXPECT_LT(strip.height(width), height) << width;
+    for (std::size_t n = 0; n < many.size(); ++n) {
+      const PixelRect rect = strip.rect(width, n);
+      EXPECT_LE(rect.x + rect.width, width);
+      EXPECT_GE(rect.height, 24);
+      EXPECT_EQ(strip.button_at(width, rect.x + rect.width / 2, rect.y + rect.height / 2), many[n].name);
+    }
+  }
 }
 
 }  // namespace
