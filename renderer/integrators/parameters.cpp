@@ -25,15 +25,15 @@ struct Word {
   std::string_view word;
   E value;
 };
-template <class E, std::size_t n>
-bool set_word(const std::array<Word<E>, n>& words, std::string_view word, E& value) {
+template <class E, std::size_t Count>
+bool set_word(const std::array<Word<E>, Count>& words, std::string_view word, E& value) {
   const auto found = std::ranges::find(words, word, &Word<E>::word);
   if (found == words.end()) return false;
   value = found->value;
   return true;
 }
-template <class E, std::size_t n>
-std::string show_word(const std::array<Word<E>, n>& words, E value) {
+template <class E, std::size_t Count>
+std::string show_word(const std::array<Word<E>, Count>& words, E value) {
   return std::string(std::ranges::find(words, value, &Word<E>::value)->word);
 }
 

@@ -84,7 +84,8 @@ TEST_F(ProgramTest, APictureLightsTheScene) {
   for (const char* numbers : {"float", "fixed"}) {
     const ProgramRun run = run_program(corner + white + " --numbers " + numbers + " --environment-nits 250");
     ASSERT_EQ(run.status, 0) << run.err;
-    for (const json& nits : json::parse(run.out)["radiance"]) EXPECT_NEAR(nits.get<double>(), 250.0, 1e-3);
+    const json shown = json::parse(run.out)["radiance"];
+    for (const json& nits : shown) EXPECT_NEAR(nits.get<double>(), 250.0, 1e-3);
   }
   const json usual = json::parse(run_program(corner + white).out)["radiance"];
   EXPECT_NEAR(usual[0].get<double>(), 1000.0, 1e-2);
