@@ -14,7 +14,7 @@ class ModesAgreeLong : public testing::TestWithParam<std::string> {};
 
 TEST_P(ModesAgreeLong, OnAllLight) {
   expect_all_same(
-      render_all(project_scene(GetParam()), judgeable(mode_ways(), GetParam()), {.batch_samples = 3}));
+      render_all(project_scene(GetParam()), judgeable(mode_ways(), GetParam()), {.batch_samples = 6}));
 }
 
 TEST_P(ModesAgreeLong, WithEveryParameter) {
