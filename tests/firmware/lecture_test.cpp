@@ -5,6 +5,7 @@
 
 #include "firmware/temporary_folder.h"
 #include "scene/input_error.h"
+#include "source_file.h"
 
 namespace vitrine {
 namespace {
@@ -112,7 +113,7 @@ TEST_F(LectureTest, TheTourGoesRoundAndComesBackToTheStopThatWasLeft) {
 // The lecture that the box is delivered with: its sections in their order, no comparison of a thing with
 // itself, and captions that a small panel can show.
 TEST(TheLecture, CanBeReadAndTellsItsSectionsInOrder) {
-  const std::vector<LectureStop> stops = read_lecture(VITRINE_SOURCE_DIR "/scenes/lecture.toml");
+  const std::vector<LectureStop> stops = read_lecture(source_file("scenes/lecture.toml"));
   std::size_t next = 0;
   const std::vector<std::string> sections{
       "Basic path tracing",    "Russian roulette",   "Monte Carlo vs. deterministic",

@@ -9,6 +9,7 @@
 #include "firmware/fake_scene.h"
 #include "firmware/temporary_folder.h"
 #include "scene/input_error.h"
+#include "source_file.h"
 
 namespace vitrine {
 namespace {
@@ -96,7 +97,7 @@ constexpr const char* kDarkTriangle = R"({
 
 // Which picture lights a scene tells itself by which missing file stops it.
 TEST(LoadedSceneEnvironment, TheScenesChoiceAlwaysAndTheDefaultWhereThereIsNoLight) {
-  const std::filesystem::path scenes = VITRINE_SOURCE_DIR "/scenes";
+  const std::filesystem::path scenes = source_file("scenes");
   PlaylistScene lit{.name = "cornell", .file = scenes / "cornell.gltf", .title = "", .caption = ""};
   const std::size_t lights = load_scene(lit, Numbers::kFloat)->baked->light_count();
   lit.default_environment = EnvironmentChoice{.file = "missing.hdr"};

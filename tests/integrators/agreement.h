@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include "integrators/ways.h"
+#include "source_file.h"
 #include "statistics/picture.h"
 
 namespace vitrine {
@@ -162,8 +163,7 @@ inline std::vector<Way> judgeable(std::vector<Way> ways, const std::string& scen
 /// Every scene of the project.
 inline std::vector<std::string> project_scenes() {
   std::vector<std::string> names;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(VITRINE_SOURCE_DIR) / "scenes")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_file("scenes"))) {
     if (entry.path().extension() == ".gltf") names.push_back(entry.path().stem());
   }
   std::ranges::sort(names);

@@ -15,6 +15,7 @@
 
 #include "film/pfm.h"
 #include "integrators/ways.h"
+#include "source_file.h"
 #include "statistics/picture.h"
 
 namespace vitrine {
@@ -25,7 +26,7 @@ constexpr double kDark = 0.02;  // of the picture's mean: blocks below it do not
 
 std::filesystem::path shared_folder() {
   if (const char* folder = std::getenv("VITRINE_SHARED")) return folder;
-  return std::filesystem::path(VITRINE_SOURCE_DIR) / ".." / "shared";
+  return source_file("../shared");
 }
 
 /// The means of the blocks, row by row, and their mean.

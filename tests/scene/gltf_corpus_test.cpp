@@ -10,6 +10,7 @@
 
 #include "scene/gltf_import.h"
 #include "scene/input_error.h"
+#include "source_file.h"
 
 namespace vitrine {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 std::filesystem::path corpus() {
   const char* shared = std::getenv("VITRINE_SHARED");
   return (shared != nullptr ? std::filesystem::path(shared)
-                            : std::filesystem::path(VITRINE_SOURCE_DIR) / ".." / "shared") /
+                            : std::filesystem::path(source_file("../shared"))) /
          "gltf";
 }
 

@@ -16,6 +16,7 @@
 #include "scene/bake.h"
 #include "scene/gltf_import.h"
 #include "scene/made_scene.h"
+#include "source_file.h"
 #include "statistics/random_inputs.h"
 
 namespace vitrine {
@@ -119,7 +120,7 @@ double relative_variance(const World<N>& world, const std::vector<Receiver<N>>& 
 
 TYPED_TEST(LightEmissionsTest, InAHallOfLampsPowerBeatsUniformAndTheTreeBeatsPower) {
   using Unit = typename TypeParam::Unit;
-  const Scene scene = import_gltf(std::filesystem::path(VITRINE_SOURCE_DIR) / "scenes/lamps.gltf");
+  const Scene scene = import_gltf(source_file("scenes/lamps.gltf"));
   const auto world = bake_world<TypeParam>(scene);
   constexpr int kWidth = 36;
   constexpr int kHeight = 24;

@@ -13,6 +13,7 @@
 
 #include "frame/renderer.h"
 #include "scene/gltf_import.h"
+#include "source_file.h"
 #include "statistics/all_cores.h"
 #include "statistics/z_test.h"
 
@@ -96,7 +97,7 @@ inline bool can_render(const Mode& mode, const Scene& scene) {
 
 /// One of the project's own scenes, by its file's stem.
 inline Scene project_scene(const std::string& name) {
-  return import_gltf(std::filesystem::path(VITRINE_SOURCE_DIR) / "scenes" / (name + ".gltf"));
+  return import_gltf(source_file("scenes/" + name + ".gltf"));
 }
 
 }  // namespace vitrine
