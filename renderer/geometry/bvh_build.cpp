@@ -55,17 +55,18 @@ class Builder {
     }
     int axis = split.axis;
     std::uint32_t middle = begin + count / 2;
+    const auto at = [&](std::uint32_t i) { return tree_.order.begin() + static_cast<std::ptrdiff_t>(i); };
     if (axis >= 0 && depth < kBalancedBelow) {
       const double low = centers.low[axis];
       const double extent = centers.high[axis] - low;
-      const auto right =
-          std::partition(tree_.order.begin() + begin, tree_.order.begin() + end,
-                         [&](std::uint32_t p) { return bin_of(center(p)[axis], low, extent) < split.bin; });
+      const auto right = std::partition(at(begin), at(end), [&](std::uint32_t p) {
+        return bin_of(center(p)[axis], low, extent) < split.bin;
+      });
       middle = static_cast<std::uint32_t>(right - tree_.order.begin());
     } else {
       const glm::dvec3 extent = centers.high - centers.low;
       axis = extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
-      std::nth_element(tree_.order.begin() + begin, tree_.order.begin() + middle, tree_.order.begin() + end,
+      std::nth_element(at(begin), at(middle), at(end),
                        [&](std::uint32_t a, std::uint32_t b) { return center(a)[axis] < center(b)[axis]; });
     }
     const auto left = static_cast<std::uint32_t>(tree_.nodes.size());

@@ -12,8 +12,9 @@ namespace detail {
 
 inline constexpr auto kReciprocalTable = [] {
   std::array<std::uint32_t, 256> table{};
-  for (std::uint64_t i = 0; i < table.size(); ++i) {
-    const std::uint64_t middle = (512 + 2 * i + 1) << 22;  // of the interval of mantissas with these top bits
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    // The middle of the interval of mantissas with these top bits.
+    const std::uint64_t middle = (512 + 2 * std::uint64_t{i} + 1) << 22;
     table[i] = static_cast<std::uint32_t>((std::uint64_t{1} << 62) / middle);
   }
   return table;
@@ -29,8 +30,8 @@ constexpr std::uint64_t integer_sqrt(std::uint64_t x) {
 
 inline constexpr auto kRsqrtTable = [] {
   std::array<std::uint32_t, 384> table{};
-  for (std::uint64_t i = 0; i < table.size(); ++i) {
-    const std::uint64_t middle = (256 + 2 * i + 1) << 22;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::uint64_t middle = (256 + 2 * std::uint64_t{i} + 1) << 22;
     const std::uint64_t value = (std::uint64_t{1} << 61) / integer_sqrt(middle << 30);
     table[i] = static_cast<std::uint32_t>(value < 0x7fffffffU ? value : 0x7fffffffU);
   }

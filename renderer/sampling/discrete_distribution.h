@@ -76,17 +76,17 @@ class DiscreteDistribution {
 
   void count_probabilities() {
     const std::uint64_t n = entries_.size();
-    std::vector<std::uint64_t> ways(n, 0);  // of 2^32
-    for (std::uint64_t i = 0; i < n; ++i) {
+    std::vector<std::uint64_t> ways(entries_.size(), 0);  // of 2^32
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
       const auto first_of = [&](std::uint64_t entry) { return ((entry << 32) + n - 1) / n; };
       const std::uint64_t all = first_of(i + 1) - first_of(i);
-      const std::uint64_t first_word = first_of(i) * n - (i << 32);
+      const std::uint64_t first_word = first_of(i) * n - (std::uint64_t{i} << 32);
       const std::uint64_t limit = entries_[i].threshold;
       const std::uint64_t own = first_word < limit ? (limit - 1 - first_word) / n + 1 : 0;
       ways[i] += own;
       ways[entries_[i].alias] += all - own;
     }
-    for (std::uint64_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
       entries_[i].prob = from_host<typename N::Density>(static_cast<double>(ways[i]) * 0x1p-32);
     }
   }

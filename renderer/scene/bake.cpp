@@ -208,7 +208,7 @@ class Baker {
                     std::vector<T>& target, const Convert& convert) {
     if (source.empty() && target.empty()) return;
     target.resize(positions_.size(), missing);
-    std::ranges::transform(source, target.begin() + first, convert);
+    std::ranges::transform(source, target.begin() + static_cast<std::ptrdiff_t>(first), convert);
   }
 
   // Triangles without area are left out: nothing can hit them, and as lights they would have no density.
