@@ -2,15 +2,30 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 #include "headless_display.h"
 #include "merged_buttons.h"
 #include "nearest_name.h"
+#include "scan_out.h"
 #include "script_buttons.h"
+#if VITRINE_EVDEV
+#include "evdev_buttons.h"
+#endif
+#if VITRINE_GPIO
+#include "gpio_buttons.h"
+#include "gpio_places.h"
+#endif
 #if VITRINE_SDL
 #include "sdl_window.h"
+#endif
+#if VITRINE_DRM
+#include "drm_display.h"
+#endif
+#if VITRINE_FBDEV
+#include "fbdev_display.h"
 #endif
 
 namespace vitrine {
@@ -18,30 +33,83 @@ namespace {
 
 const SystemClock kSystemClock;
 
+/// The picture of a display that has no size of its own when none is asked for.
+constexpr Extent kUsualPicture{800, 480};
+
+Extent picture_of(const DisplayRequest& request) {
+  if (request.width == 0 || request.height == 0) return kUsualPicture;
+  return {request.width, request.height};
+}
+
 // clang-format off: it cannot indent a table with conditional rows
 constexpr auto kDisplays = std::to_array<DisplayBackend>({
 #if VITRINE_SDL
   {"sdl", "a window on the desktop that simulates the box",
    [](const DisplayRequest& request) -> Panel {
      const TimeSource& clock = request.clock != nullptr ? *request.clock : kSystemClock;
-     const auto window =
-         std::make_shared<SdlWindow>(request.width, request.height, request.title, request.buttons, clock);
+     const auto [width, height] = picture_of(request);
+     const auto window = std::make_shared<SdlWindow>(width, height, request.title, request.buttons, clock);
      return {.display = window, .buttons = window};
    }},
 #endif
+#if VITRINE_DRM
+      {"drm", "a screen of a KMS card, without a desktop",
+       [](const DisplayRequest& request) -> Panel {
+         const auto display = std::make_shared<DrmDisplay>(Extent{request.width, request.height},
+                                                           request.options, request.insists);
+         return {.notice = display->notice(), .display = display};
+       },
+       list_drm_cards},
+#endif
+#if VITRINE_FBDEV
+      {"fbdev", "a framebuffer device, such as a small SPI panel",
+       [](const DisplayRequest& request) -> Panel {
+         const auto display = std::make_shared<FbdevDisplay>(Extent{request.width, request.height},
+                                                             request.options, request.insists);
+         return {.notice = display->notice(), .display = display};
+       },
+       list_framebuffers},
+#endif
       {"headless", "frames in memory, without a screen", [](const DisplayRequest& request) -> Panel {
-         return {.display = std::make_shared<HeadlessDisplay>(request.width, request.height)};
+         const auto [width, height] = picture_of(request);
+         return {.display = std::make_shared<HeadlessDisplay>(width, height)};
        }},
 });
 
 constexpr auto kButtons = std::to_array<ButtonsBackend>({
+#if VITRINE_GPIO
+  {"gpio",
+   "buttons on GPIO lines",
+   "[[gpio]] tables in the configuration",
+   [](const Panel&, const ButtonsRequest& request) { return !request.wiring.gpio.empty(); },
+   [](const Panel&, const ButtonsRequest& request) -> std::shared_ptr<Buttons> {
+     if (request.wiring.gpio.empty()) return nullptr;
+     return std::make_shared<GpioButtons>(request.wiring.gpio);
+   },
+   [](std::span<const ButtonSpec>) { return ButtonInventory{.gpio = find_gpio_chips(), .input = {}}; }},
+#endif
+#if VITRINE_EVDEV
+      {"evdev", "keyboards, gpio-keys and rotary encoders", "",
+       // A window has keys of its own, and those pressed in other windows are not for us.
+       [](const Panel& panel, const ButtonsRequest& request) {
+         return !request.wiring.evdev.empty() || (panel.buttons == nullptr && panel.backend != "headless");
+       },
+       [](const Panel&, const ButtonsRequest& request) -> std::shared_ptr<Buttons> {
+         return std::make_shared<EvdevButtons>(request.wiring.evdev, request.buttons);
+       },
+       [](std::span<const ButtonSpec> buttons) {
+         return ButtonInventory{.gpio = {}, .input = find_input_devices(buttons)};
+       }},
+#endif
 #if VITRINE_SDL
-  {"sdl", "keys and on-screen buttons of the SDL window", "the display 'sdl'",
-   [](const Panel& panel, const ButtonsRequest&) {
-     return panel.backend == "sdl" ? panel.buttons : nullptr;
-   }},
+      {"sdl", "keys and on-screen buttons of the SDL window", "the display 'sdl'",
+       [](const Panel& panel, const ButtonsRequest&) { return panel.backend == "sdl"; },
+       [](const Panel& panel, const ButtonsRequest&) {
+         return panel.backend == "sdl" ? panel.buttons : nullptr;
+       }},
 #endif
       {"script", "scripted presses on synthetic time", "a script file and a synthetic clock",
+       [](const Panel&, const ButtonsRequest& request) { return !request.script.empty(); },
        [](const Panel&, const ButtonsRequest& request) -> std::shared_ptr<Buttons> {
          if (request.script.empty() || request.clock == nullptr) return nullptr;
          return std::make_shared<ScriptButtons>(*request.clock, read_script(request.script, request.buttons));
@@ -71,14 +139,27 @@ Panel opened(const DisplayBackend& backend, const DisplayRequest& request) {
 std::span<const DisplayBackend> display_backends() { return kDisplays; }
 std::span<const ButtonsBackend> buttons_backends() { return kButtons; }
 
+ScreenInventory list_screens() {
+  ScreenInventory all;
+  for (const DisplayBackend& backend : kDisplays) {
+    if (backend.list == nullptr) continue;
+    ScreenInventory some = backend.list();
+    std::ranges::move(some.cards, std::back_inserter(all.cards));
+    std::ranges::move(some.framebuffers, std::back_inserter(all.framebuffers));
+  }
+  return all;
+}
+
 Panel open_display(std::string_view key, const DisplayRequest& request) {
-  if (key != "auto") return opened(find_row(kDisplays, key, "display"), request);
+  if (key != "auto") {
+    DisplayRequest named = request;
+    named.insists = true;
+    return opened(find_row(kDisplays, key, "display"), named);
+  }
   std::string notice;
   for (const DisplayBackend& backend : std::span(kDisplays).first(kDisplays.size() - 1)) {
     try {
-      Panel panel = opened(backend, request);
-      panel.notice = notice;
-      return panel;
+      return opened(backend, request);
     } catch (const DisplayUnavailable& error) {
       notice += std::string(backend.key) + ": " + error.what() + ". ";
     }
@@ -93,6 +174,7 @@ std::shared_ptr<Buttons> open_buttons(std::string_view list, const Panel& panel,
   std::vector<std::shared_ptr<Buttons>> sources;
   if (list == "auto") {
     for (const ButtonsBackend& backend : kButtons) {
+      if (!backend.wanted(panel, request)) continue;
       if (auto source = backend.open(panel, request)) sources.push_back(std::move(source));
     }
   } else {
@@ -109,6 +191,17 @@ std::shared_ptr<Buttons> open_buttons(std::string_view list, const Panel& panel,
   }
   if (sources.size() == 1) return sources.front();
   return std::make_shared<MergedButtons>(std::move(sources));
+}
+
+ButtonInventory list_buttons(std::span<const ButtonSpec> buttons) {
+  ButtonInventory all;
+  for (const ButtonsBackend& backend : kButtons) {
+    if (backend.list == nullptr) continue;
+    ButtonInventory some = backend.list(buttons);
+    if (some.gpio) all.gpio = std::move(some.gpio);
+    if (some.input) all.input = std::move(some.input);
+  }
+  return all;
 }
 
 }  // namespace vitrine

@@ -43,6 +43,9 @@ class Buttons {
   /// The events since the last call, oldest first; waits at most `timeout` for the first one.
   virtual std::vector<ButtonEvent> poll(std::chrono::milliseconds timeout) = 0;
 
+  /// One line to tell the user now, or empty: what is missing or waited for.
+  [[nodiscard]] virtual std::string notice() const { return {}; }
+
  protected:
   Buttons() = default;
 };

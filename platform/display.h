@@ -51,6 +51,8 @@ class Display {
   virtual Surface acquire() = 0;
   /// Shows what was drawn; waits for the flip where the backend can.
   virtual void present() = 0;
+  /// Whether no screen is plugged in now. Until one is, present() shows nothing and returns at about 60 Hz.
+  [[nodiscard]] virtual bool waiting_for_screen() const { return false; }
   /// The frame that present() showed last, to be read only and until the next acquire(); all black before the
   /// first.
   [[nodiscard]] virtual Surface shown() const = 0;

@@ -22,4 +22,13 @@ std::vector<ButtonEvent> MergedButtons::poll(std::chrono::milliseconds timeout) 
   return events;
 }
 
+std::string MergedButtons::notice() const {
+  std::string all;
+  for (const auto& source : sources_) {
+    const std::string notice = source->notice();
+    if (!notice.empty()) all += (all.empty() ? "" : ". ") + notice;
+  }
+  return all;
+}
+
 }  // namespace vitrine

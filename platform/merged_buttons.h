@@ -14,6 +14,7 @@ class MergedButtons final : public Buttons {
   explicit MergedButtons(std::vector<std::shared_ptr<Buttons>> sources) : sources_(std::move(sources)) {}
 
   std::vector<ButtonEvent> poll(std::chrono::milliseconds timeout) override;
+  [[nodiscard]] std::string notice() const override;
 
  private:
   std::vector<std::shared_ptr<Buttons>> sources_;

@@ -34,4 +34,13 @@ std::string name_remedy(std::string_view name, std::span<const std::string> know
   return list;
 }
 
+std::vector<std::string> nearest_names(std::string_view name, std::span<const std::string> known,
+                                       std::size_t count) {
+  std::vector<std::string> names(known.begin(), known.end());
+  std::ranges::stable_sort(names, {},
+                           [&](const std::string& candidate) { return edit_distance(name, candidate); });
+  names.resize(std::min(names.size(), count));
+  return names;
+}
+
 }  // namespace vitrine

@@ -3,6 +3,7 @@
 #include "backends.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "script_buttons.h"
+#include "surface.h"
 
 namespace vitrine {
 namespace {
@@ -58,6 +60,9 @@ TEST(Backends, HeadlessHasTheSizeAskedForAndNoButtons) {
 }
 
 TEST(Backends, AutoFallsBackToMemoryAndSaysWhy) {
+  for (const char* device : {"/dev/dri/card0", "/dev/dri/card1", "/dev/fb0"}) {
+    if (std::filesystem::exists(device)) GTEST_SKIP() << "this machine has a screen that would be taken";
+  }
   for (const char* session : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) unsetenv(session);
   const Panel panel = open_display("auto", request());
   EXPECT_EQ(panel.backend, "headless");
@@ -66,6 +71,46 @@ TEST(Backends, AutoFallsBackToMemoryAndSaysWhy) {
     EXPECT_NE(panel.notice.find("sdl: no desktop session"), std::string::npos) << panel.notice;
     EXPECT_NE(error_of([] { return open_display("sdl", request()); }).find("no desktop session"),
               std::string::npos);
+  }
+}
+
+TEST(Backends, WithoutASizeThereIsAUsualOne) {
+  const Panel panel = open_display("headless", {});
+  EXPECT_GT(panel.display->mode().width, 0);
+  EXPECT_GT(panel.display->mode().height, 0);
+}
+
+// A box is often faster than its screen: the one that was named is waited for.
+TEST(Backends, AScreenThatIsNamedIsWaitedFor) {
+  for (const DisplayBackend& row : display_backends()) {
+    if (row.list == nullptr) continue;
+    DisplayRequest absent = request();
+    absent.options.card = "/dev/no-such-card";
+    absent.options.device = "/dev/no-such-framebuffer";
+    EXPECT_THROW(static_cast<void>(row.open(absent)), DisplayUnavailable) << row.key;
+
+    const Panel panel = open_display(row.key, absent);
+    EXPECT_EQ(panel.backend, row.key);
+    EXPECT_NE(panel.notice.find("no-such"), std::string::npos) << panel.notice;
+    EXPECT_TRUE(panel.display->waiting_for_screen()) << row.key;
+    EXPECT_EQ(panel.display->mode().width, absent.width);
+    EXPECT_EQ(panel.display->mode().height, absent.height);
+    const Surface surface = panel.display->acquire();
+    fill_rect(surface, {0, 0, surface.width, surface.height}, {1, 2, 3});
+    const Clock::time_point start = Clock::now();
+    constexpr int kFrames = 6;
+    for (int i = 0; i < kFrames; ++i) panel.display->present();
+    EXPECT_GE(Clock::now() - start, (kFrames - 2) * milliseconds{16}) << "it must not spin";
+    EXPECT_EQ(read_pixel(panel.display->shown(), 7, 5), (Rgb8{1, 2, 3}));
+  }
+}
+
+TEST(Backends, ABadModeIsRefusedAtOnce) {
+  for (const DisplayBackend& row : display_backends()) {
+    if (row.key != "drm") continue;
+    DisplayRequest bad = request();
+    bad.options.mode = "1080p";
+    EXPECT_NE(error_of([&] { return open_display("drm", bad); }).find("1920x1080@60"), std::string::npos);
   }
 }
 
@@ -83,7 +128,7 @@ TEST(Backends, AbsentSourcesAreRefused) {
       error_of([&] { return open_buttons("script", panel, {.buttons = kBox}); }),
       "buttons 'script' need a script file and a synthetic clock; supply that or leave them out of the list");
   for (const ButtonsBackend& row : buttons_backends()) {
-    EXPECT_EQ(row.open(panel, {.buttons = kBox}), nullptr) << row.key;
+    EXPECT_EQ(row.open(panel, {.buttons = kBox}) == nullptr, !row.needs.empty()) << row.key;
   }
 }
 
