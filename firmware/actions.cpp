@@ -25,7 +25,7 @@ constexpr auto kActionButtons = std::to_array<ActionButton>({
     {Action::kBrighter, "exposure-up", "EV +", "Up", "half a stop brighter"},
     {Action::kAutoExposure, "exposure-auto", "EV auto", "A", "automatic exposure"},
     {Action::kHud, "hud", "HUD", "H", "show or hide the labels"},
-    {Action::kScreenshot, "screenshot", "Save", "C", "save what is shown as a PNG in the current folder"},
+    {Action::kScreenshot, "screenshot", "Save", "C", "save what is shown as a PNG"},
     {Action::kQuit, "quit", "Quit", "Escape", "end the program"},
     {Action::kQuit, "quit", "", "Q", "end the program"},
 });
@@ -55,6 +55,14 @@ std::vector<ButtonSpec> button_specs() {
     specs.push_back({std::string(row.button), std::string(row.caption), std::string(row.key)});
   }
   return specs;
+}
+
+std::vector<std::string> action_names() {
+  std::vector<std::string> names;
+  for (const ActionButton& row : action_buttons()) {
+    if (!row.caption.empty()) names.emplace_back(row.button);
+  }
+  return names;
 }
 
 const ActionButton* find_action(std::string_view button) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -51,6 +52,9 @@ std::span<const ActionButton> action_buttons();
 
 /// The table as backends want it.
 std::vector<ButtonSpec> button_specs();
+
+/// The names of all actions, each once.
+std::vector<std::string> action_names();
 
 /// The button of that name, or nullptr.
 const ActionButton* find_action(std::string_view button);

@@ -54,6 +54,13 @@ void define_run(CLI::App& app, RunRequest& request) {
                   });
   add_text_option(app, "--config", "FILE", "TOML file that sets up the box; options given here go first",
                   [&](const std::string& file) { request.config = file; });
+  app.add_flag("--check-config", request.check_config,
+               "read config, board file, playlist, lecture and scenes, say what is wrong, and end");
+  add_text_option(app, "--runtime-dir", "DIR",
+                  "where health file and screenshots go, if the config does not say ($RUNTIME_DIRECTORY)",
+                  [&](const std::string& folder) { request.runtime_folder = folder; });
+  app.add_flag("--safe", request.safe,
+               "show only the built-in scene and a card that says why the box's service failed");
   add_playlist_option(app, box.playlist);
   add_size_option(app, "800x480", [&](PictureSize size) { box.size = size; });
   add_mode_option(app, "the playlist's, or " + std::string(default_mode()->key),
@@ -242,6 +249,7 @@ Request parse_command_line(std::vector<std::string> arguments) {
   ModesRequest modes;
   ScenesRequest scenes;
   InfoRequest info;
+  ProbeRequest probe;
 
   CLI::App app("vitrine: a path tracer that lives in a small display box. Without a command it runs the box.",
                "vitrine");
@@ -259,6 +267,9 @@ Request parse_command_line(std::vector<std::string> arguments) {
   add_scene_argument(info_app, info.scene);
   add_playlist_option(info_app, info.playlist);
   add_json_flag(info_app, info.json);
+  add_json_flag(*app.add_subcommand(
+                    "probe", "list screens, modes, pins and input devices of this machine, to wire a box"),
+                probe.json);
 
   if (arguments.empty() || !begins_with_command(app, arguments.front()))
     arguments.insert(arguments.begin(), "run");
@@ -290,6 +301,7 @@ Request parse_command_line(std::vector<std::string> arguments) {
   if (command == "modes") return modes;
   if (command == "scenes") return scenes;
   if (command == "info") return info;
+  if (command == "probe") return probe;
   return run;
 }
 

@@ -7,6 +7,7 @@
 
 #include "command_info.h"
 #include "command_modes.h"
+#include "command_probe.h"
 #include "command_render.h"
 #include "command_run.h"
 #include "command_scenes.h"
@@ -20,8 +21,8 @@ struct TextRequest {
 
 int execute(const TextRequest& request);
 
-using Request =
-    std::variant<TextRequest, RunRequest, RenderRequest, ModesRequest, ScenesRequest, InfoRequest>;
+using Request = std::variant<TextRequest, RunRequest, RenderRequest, ModesRequest, ProbeRequest,
+                             ScenesRequest, InfoRequest>;
 
 /// `arguments` without the program's name. Throws UsageError.
 Request parse_command_line(std::vector<std::string> arguments);

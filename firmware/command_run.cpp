@@ -1,43 +1,32 @@
 #include "command_run.h"
 
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 
 #include "backends.h"
+#include "command_check.h"
+#include "config_reload.h"
 #include "exit_status.h"
 #include "film/image_files.h"
 #include "json_output.h"
 #include "kiosk.h"
+#include "notify_socket.h"
 #include "output_file.h"
 #include "picture_tour.h"
 #include "picture_view.h"
+#include "runtime_folder.h"
 #include "scene/input_error.h"
+#include "session.h"
 #include "stop_signals.h"
 
 namespace vitrine {
 namespace {
 
-constexpr PictureSize kDefaultSize{800, 480};
-
-std::vector<PlaylistScene> choose_scenes(const RunRequest& request, const BoxConfig& box) {
-  const std::vector<PlaylistScene> playlist = find_playlist(box.playlist);
-  std::vector<PlaylistScene> scenes;
-  for (const std::string& argument : request.scenes) scenes.push_back(resolve_scene(argument, playlist));
-  if (scenes.empty()) scenes = playlist;
-  if (scenes.empty()) {
-    throw InputError("playlist", "", "none is installed",
-                     "name one with --playlist FILE, or name scene files");
-  }
-  if (box.environment) require_environment(*box.environment);
-  for (PlaylistScene& scene : scenes) scene.default_environment = box.environment;
-  return scenes;
-}
-
-/// A script is one more source of presses.
-std::string choose_buttons(const RunRequest& request, const BoxConfig& box) {
-  const std::string list = box.buttons.value_or("auto");
-  const bool has_script = list == "auto" || list.find("script") != std::string::npos;
-  return request.script && !has_script ? list + ",script" : list;
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
 }
 
 void require_png(const std::filesystem::path& out) {
@@ -46,25 +35,7 @@ void require_png(const std::filesystem::path& out) {
   require_writable(out);
 }
 
-int show_kiosk(const RunRequest& request, const BoxConfig& box, ExhibitSettings exhibit, Panel& panel,
-               SyntheticClock& synthetic, Workers& workers, const std::atomic<bool>& stop) {
-  if (request.out) require_png(*request.out);
-  ButtonsRequest sources{.buttons = button_specs(), .script = {}, .clock = &synthetic};
-  if (request.script) sources.script = *request.script;
-  const std::shared_ptr<Buttons> buttons = open_buttons(choose_buttons(request, box), panel, sources);
-
-  const SystemClock system;
-  const bool stepped = request.script.has_value();
-  KioskSettings settings{.exhibit = std::move(exhibit), .lecture = find_lecture(box.lecture)};
-  if (request.frames) settings.frames = *request.frames;
-  Kiosk kiosk(*panel.display, *buttons, stepped ? static_cast<const TimeSource&>(synthetic) : system,
-              stepped ? &synthetic : nullptr, workers, load_scene, std::move(settings));
-  const KioskReport report = kiosk.run(stop);
-
-  if (request.out) {
-    const DevelopedPicture shown = read_picture(panel.display->shown());
-    write_png(*request.out, shown.width, shown.height, shown.rgb);
-  }
+void report(const RunRequest& request, const Panel& panel, const KioskReport& report) {
   if (request.json) {
     print_json({{"display", panel.backend},
                 {"frames", report.frames},
@@ -76,6 +47,39 @@ int show_kiosk(const RunRequest& request, const BoxConfig& box, ExhibitSettings 
                  static_cast<unsigned long long>(report.frames), report.seconds,
                  static_cast<unsigned long long>(report.presses), report.slowest_press_ms);
   }
+}
+
+int show_kiosk(const RunRequest& request, const BoxConfig& box, KioskSettings settings, Panel& panel,
+               SyntheticClock& synthetic, Workers& workers, const std::atomic<bool>& stop) {
+  if (request.out) require_png(*request.out);
+  RewirableButtons buttons([&] { return open_buttons_of(request, box, panel, synthetic); });
+  if (const std::string notice = buttons.notice(); !notice.empty())
+    std::cerr << "vitrine: " << notice << '\n';
+
+  const NotifySocket socket(environment("NOTIFY_SOCKET"));
+  Supervisor supervisor(
+      supervisor_settings(request, box),
+      Supervision([&socket](const std::string& message) { socket.send(message); },
+                  watchdog_time(std::getenv("WATCHDOG_USEC"), std::getenv("WATCHDOG_PID"))));
+  KioskCare care{.supervisor = &supervisor};
+  std::optional<ConfigReload> reload;
+  if (request.config && !request.safe) {
+    reload.emplace(request, box, watch_reload_signal(), panel, synthetic, buttons, supervisor);
+    care.take_refit = [&reload] { return reload->take(); };
+  }
+
+  const SystemClock system;
+  const bool stepped = request.script.has_value();
+  Kiosk kiosk(*panel.display, buttons, stepped ? static_cast<const TimeSource&>(synthetic) : system,
+              stepped ? &synthetic : nullptr, workers, load_scene, std::move(settings), care);
+  const KioskReport session = kiosk.run(stop);
+  supervisor.manager().stopping();
+
+  if (request.out) {
+    const DevelopedPicture shown = read_picture(panel.display->shown());
+    write_png(*request.out, shown.width, shown.height, shown.rgb);
+  }
+  report(request, panel, session);
   return kDone;
 }
 
@@ -96,34 +100,73 @@ int show_tour(const RunRequest& request, const ExhibitSettings& exhibit, Workers
   return all_shown ? kDone : kBadInput;
 }
 
-}  // namespace
+/// What the box shows; where the config's files are no good, nothing but the built-in scene and why.
+struct Programme {
+  KioskSettings settings;
+  std::exception_ptr failure{};  ///< why it is not what was asked for
+};
 
-int execute(const RunRequest& request) {
-  const BoxConfig box = request.config ? overlay(read_box_config(*request.config), request.box) : request.box;
-  const PictureSize size = box.size.value_or(kDefaultSize);
-  const ExhibitSettings exhibit{.scenes = choose_scenes(request, box),
-                                .mode = box.mode.value_or(nullptr),
-                                .changes = request.changes,
-                                .compare = request.compare,
-                                .fairness = request.fairness,
-                                .numbers = box.numbers.value_or(Numbers::kFloat),
-                                .seed = request.seed,
-                                .size = size};
+Programme choose_programme(const RunRequest& request, const BoxConfig& box) {
+  if (request.safe) return {stand_in_settings(request, box, why_it_failed(runtime_folder_of(request)))};
+  try {
+    return {kiosk_settings(request, box)};
+  } catch (const InputError& error) {
+    // Who has typed a name wants to hear that it is wrong.
+    if (!request.scenes.empty() || request.box.playlist || request.box.lecture || request.box.environment)
+      throw;
+    return {stand_in_settings(request, box, error.what()), std::current_exception()};
+  }
+}
+
+/// The safe box ignores a config that is wrong: that may be why it is needed.
+BoxConfig choose_box(const RunRequest& request) {
+  if (!request.safe) return box_of(request);
+  try {
+    return box_of(request);
+  } catch (const InputError& error) {
+    std::cerr << "vitrine: " << error.what() << '\n';
+    return request.box;
+  }
+}
+
+int run(const RunRequest& request) {
+  const BoxConfig box = choose_box(request);
+  Programme programme = choose_programme(request, box);
   const std::atomic<bool>& stop = watch_stop_signals();
   SyntheticClock synthetic;
+  // Without a size the picture is as large as the screen.
+  const PictureSize size = box.size.value_or(PictureSize{});
   const DisplayRequest display{.width = size.width,
                                .height = size.height,
                                .title = "vitrine",
-                               .buttons = button_specs(),
+                               .buttons = button_specs_of(box),
+                               .options = box.hardware.display.options(),
                                .clock = request.script ? &synthetic : nullptr};
-  Panel panel = open_display(box.display.value_or("auto"), display);
+  Panel panel = open_display(box.display_key(), display);
   if (!panel.notice.empty()) std::cerr << "vitrine: " << panel.notice << '\n';
+  const bool headless = panel.backend == "headless";
+  if (programme.failure && headless) std::rethrow_exception(programme.failure);
+  if (!programme.settings.complaint.empty()) std::cerr << "vitrine: " << programme.settings.complaint << '\n';
 
   Workers workers(box.threads.value_or(default_thread_count()));
-  if (panel.backend == "headless" && !request.frames && !request.script) {
-    return show_tour(request, exhibit, workers, stop);
+  if (headless && !request.frames && !request.script && !request.safe)
+    return show_tour(request, programme.settings.exhibit, workers, stop);
+  return show_kiosk(request, box, std::move(programme.settings), panel, synthetic, workers, stop);
+}
+
+}  // namespace
+
+int execute(const RunRequest& request) {
+  if (request.check_config) return check_config(request);
+  const std::optional<std::filesystem::path> folder = runtime_folder_of(request);
+  if (!folder || request.safe) return run(request);
+  keep_last_words(*folder, "");
+  try {
+    return run(request);
+  } catch (const std::exception& error) {
+    keep_last_words(*folder, error.what());
+    throw;
   }
-  return show_kiosk(request, box, exhibit, panel, synthetic, workers, stop);
 }
 
 }  // namespace vitrine

@@ -23,7 +23,10 @@ struct RunRequest {
   std::uint64_t seed = 0;
   std::optional<std::uint64_t> frames;
   std::optional<std::filesystem::path> script;
-  std::optional<std::filesystem::path> out;  ///< a PNG file; a folder for a tour of pictures
+  std::optional<std::filesystem::path> out;             ///< a PNG file; a folder for a tour of pictures
+  std::optional<std::filesystem::path> runtime_folder;  ///< instead of the one that systemd names
+  bool check_config = false;                            ///< read everything, say what it comes to, and end
+  bool safe = false;  ///< the built-in scene, and a card that says why the box failed
   bool json = false;
 };
 

@@ -22,9 +22,6 @@ constexpr std::uint32_t kMaxPassSamples = 64;
 constexpr milliseconds kJudgePeriod{400};
 constexpr std::uint32_t kJudgeGrowth = 8;  // an eighth more samples
 
-/// By then a picture has converged, and 64-bit sums are far from their end.
-constexpr std::uint32_t kEnoughSamples = 1U << 20U;
-
 /// The index `by` steps on in a cycle of `count`.
 std::size_t turned(std::size_t index, int by, std::size_t count) {
   const auto n = static_cast<std::ptrdiff_t>(count);
@@ -37,18 +34,41 @@ int half_way(int distance) { return (distance + (distance > 0 ? 1 : -1)) / 2; }
 }  // namespace
 
 Exhibit::Exhibit(ExhibitSettings settings, Pace pace, Workers& workers, LoadScene load)
-    : settings_(std::move(settings)),
+    : begun_with_(std::move(settings)),
+      settings_(begun_with_),
       pace_(pace),
       workers_(workers),
       loader_(std::move(load),
               pace == Pace::kLive ? SceneLoader::Timing::kBackground : SceneLoader::Timing::kAtOnce) {
-  std::vector<Technique> techniques = std::exchange(settings_.compare, {});
+  begin();
+}
+
+void Exhibit::begin() {
+  const PictureSize size = settings_.size;
+  settings_ = begun_with_;
+  settings_.size = size;
+  std::vector<Technique> techniques = settings_.compare;
   if (techniques.empty()) {
     const Mode& mode = settings_.mode != nullptr ? *settings_.mode : *default_mode();
     techniques.push_back(technique_of(mode, settings_.changes));
   }
   set_techniques(std::move(techniques));
+  paused_ = false;
+  manual_ = false;
+  view_index_ = 0;
+  scene_index_ = 0;
   turn_scene(0);
+}
+
+void Exhibit::refit(ExhibitSettings settings) {
+  const bool same_show = settings.scenes == begun_with_.scenes && settings.mode == begun_with_.mode &&
+                         settings.numbers == begun_with_.numbers;
+  begun_with_ = std::move(settings);
+  if (same_show) {
+    settings_.max_spp = begun_with_.max_spp;
+  } else {
+    begin();
+  }
 }
 
 void Exhibit::turn_scene(int by) {
@@ -145,6 +165,12 @@ void Exhibit::use_auto_exposure() {
   develop_later();
 }
 
+bool Exhibit::done() const { return !tracing() && sides_[turn()]->samples() >= settings_.max_spp; }
+
+std::size_t Exhibit::turn() const {
+  return comparing() ? whose_turn(fairness(), sides_.front()->share(), sides_.back()->share()) : 0;
+}
+
 std::optional<Exposure> Exhibit::manual_exposure() const {
   return manual_ ? std::optional(exposure_) : std::nullopt;
 }
@@ -152,6 +178,7 @@ std::optional<Exposure> Exhibit::manual_exposure() const {
 void Exhibit::load() {
   start_over();
   error_.clear();
+  standing_in_ = false;
   loading_ = true;
   loader_.request(scene(), settings_.numbers);
 }
@@ -168,13 +195,14 @@ void Exhibit::start_over(Side& side) {
   }
   if (tracing_ == &side) tracing_ = nullptr;
   side = Side(side.technique, std::move(side.shown));
-  if (loaded_) error_.clear();  // another technique or size may do what the last could not
+  rest_until_ = {};
+  if (loaded_ && !standing_in_) error_.clear();  // another technique or size may do what the last could not
 }
 
 bool Exhibit::advance(milliseconds patience) {
   abandoned_.clear();  // here the workers are waited for: by now the caller has shown the new label
   const bool arrived = take_loaded();
-  if (loading_ || !error_.empty()) return arrived;
+  if (loading_ || (!error_.empty() && !standing_in_)) return arrived;
   try {
     for (const std::unique_ptr<Side>& side : sides_) make_picture(*side);
     if (!tracing() && !paused_) start_pass();
@@ -199,7 +227,16 @@ bool Exhibit::take_loaded() {
   if (!outcome) return false;
   loading_ = false;
   loaded_ = std::move(outcome->scene);
-  error_ = std::move(outcome->error);
+  if (standing_in_) {
+    standing_in_ = loaded_ != nullptr;  // and the error is that of the scene
+  } else {
+    error_ = std::move(outcome->error);
+    if (!loaded_ && settings_.stand_in) {
+      standing_in_ = true;
+      loading_ = true;
+      loader_.request(*settings_.stand_in, settings_.numbers);
+    }
+  }
   return true;
 }
 
@@ -215,13 +252,13 @@ void Exhibit::make_picture(Side& side) {
 }
 
 void Exhibit::start_pass() {
-  const Share first = sides_.front()->share();
-  const Share second = sides_.back()->share();
-  const std::size_t turn = comparing() ? whose_turn(fairness(), first, second) : 0;
-  Side& side = *sides_[turn];
-  if (side.samples() >= kEnoughSamples) return;
-  const Side& other = comparing() ? *sides_[1 - turn] : side;
+  const std::size_t next = turn();
+  Side& side = *sides_[next];
+  if (side.samples() >= settings_.max_spp) return;
+  if (pace_ == Pace::kLive && (duty_ <= 0.0 || Clock::now() < rest_until_)) return;
+  const Side& other = comparing() ? *sides_[1 - next] : side;
   turn_samples_ = turn_length(fairness(), side.share(), side.pass_samples, other.share(), other.pass_samples);
+  turn_samples_ = std::min(turn_samples_, settings_.max_spp - side.samples());
   tracing_ = &side;
   side.picture->start_pass(turn_samples_);
 }
@@ -238,6 +275,10 @@ void Exhibit::end_pass() {
     if (time < kShortPass && turn_samples_ == side.pass_samples)
       side.pass_samples = std::min(side.pass_samples * 2, kMaxPassSamples);
     if (time > kLongPass) side.pass_samples = std::max(turn_samples_ / 2, 1U);
+    if (duty_ > 0.0 && duty_ < 1.0) {
+      const std::chrono::duration<double> rest = time * (1.0 / duty_ - 1.0);
+      rest_until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(rest);
+    }
   }
   judge(side);
   // The light in a picture changes little after its first samples, so it is metered ever more rarely.
@@ -287,7 +328,8 @@ void Exhibit::develop_later() {
 
 void Exhibit::fail(const std::string& reason) {
   start_over();
-  error_ = reason;
+  // When even the stand-in fails, what counts is still why it was needed.
+  if (!std::exchange(standing_in_, false)) error_ = reason;
 }
 
 }  // namespace vitrine

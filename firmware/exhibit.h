@@ -20,6 +20,9 @@
 
 namespace vitrine {
 
+/// By then a picture has converged, and 64-bit sums are far from their end.
+inline constexpr std::uint32_t kEnoughSamples = 1U << 20U;
+
 /// What the exhibit begins with.
 struct ExhibitSettings {
   std::vector<PlaylistScene> scenes;     ///< at least one
@@ -30,6 +33,8 @@ struct ExhibitSettings {
   Numbers numbers = Numbers::kFloat;
   std::uint64_t seed = 0;
   PictureSize size;
+  std::uint32_t max_spp = kEnoughSamples;   ///< with which a picture is done and tracing rests
+  std::optional<PlaylistScene> stand_in{};  ///< on show in the place of a scene that cannot be loaded
 };
 
 /// How the exhibit gets on.
@@ -61,6 +66,13 @@ class Exhibit {
   /// Sets the exposure by hand, beginning with the one in use.
   void brighten(int quarter_stops);
   void use_auto_exposure();
+  /// Back to how it began.
+  void begin();
+  /// Takes other settings, but for the size. Begins anew unless they leave alone what is on show.
+  void refit(ExhibitSettings settings);
+
+  /// The part of its time that it may trace, 0 to 1. Live only.
+  void set_duty(double duty) { duty_ = duty; }
 
   /// Goes on: takes what was loaded, begins and ends passes. Live, it waits at most `patience` for the end of
   /// a pass; stepped, it does one whole pass, of one side. Returns whether sides() or error() changed.
@@ -85,6 +97,10 @@ class Exhibit {
   [[nodiscard]] std::uint64_t rays() const { return rays_; }
   /// Why the scene cannot be shown; empty when it can.
   [[nodiscard]] const std::string& error() const { return error_; }
+  /// Whether sides() show the stand-in because of that error.
+  [[nodiscard]] bool standing_in() const { return standing_in_; }
+  /// Whether the pictures have all the samples that they get.
+  [[nodiscard]] bool done() const;
 
  private:
   void load();
@@ -96,6 +112,8 @@ class Exhibit {
   void start_over(Side& side);
   bool take_loaded();
   void make_picture(Side& side);
+  /// The index of the side that goes on.
+  [[nodiscard]] std::size_t turn() const;
   void start_pass();
   void end_pass();
   void judge(Side& side);
@@ -105,7 +123,8 @@ class Exhibit {
   void develop_later();
   void fail(const std::string& reason);
 
-  ExhibitSettings settings_;
+  ExhibitSettings begun_with_;
+  ExhibitSettings settings_;  ///< the same, and what was changed since
   const Pace pace_;
   Workers& workers_;
   SceneLoader loader_;
@@ -117,6 +136,9 @@ class Exhibit {
   bool paused_ = false;
   bool loading_ = false;
   std::string error_;
+  bool standing_in_ = false;
+  double duty_ = 1.0;
+  Clock::time_point rest_until_;               ///< a new picture need not wait for it
   std::shared_ptr<const LoadedScene> loaded_;  ///< of the pictures below; while loading, the one before
   std::vector<std::unique_ptr<Side>> sides_;
   Side* tracing_ = nullptr;                          ///< the side whose pass is under way

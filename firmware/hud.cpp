@@ -16,10 +16,13 @@ constexpr Rgb8 kBright{255, 255, 255};
 constexpr Rgb8 kPlate{0, 0, 0};
 constexpr int kPlateCoverage = 150;
 constexpr Rgb8 kCard{60, 16, 16};
+constexpr int kCardCoverage = 225;
+
+constexpr int kSmallestText = 12;
 
 /// Legible on a panel of 320x240, in proportion on larger ones.
 int text_size(const Surface& surface) {
-  return std::max(12, std::min(surface.height / 28, surface.width / 36));
+  return std::max(kSmallestText, std::min(surface.height / 28, surface.width / 36));
 }
 
 std::string format(const char* pattern, double value) {
@@ -81,7 +84,8 @@ struct PlatePlace {
 };
 
 /// Draws lines on a plate no larger than they are; returns the row beneath it.
-int draw_plate(const Surface& surface, const PlatePlace& place, std::span<const std::string> texts) {
+int draw_plate(const Surface& surface, const PlatePlace& place, std::span<const std::string> texts,
+               Rgb8 color = kPlate, int coverage = kPlateCoverage) {
   const int size = text_size(surface);
   const int margin = size / 2;
   const std::vector<std::string> lines = wrapped(texts, size, place.right - place.left - 4 * margin);
@@ -90,7 +94,7 @@ int draw_plate(const Surface& surface, const PlatePlace& place, std::span<const 
   for (const std::string& line : lines) width = std::max(width, text_width(size, line));
   const int height = static_cast<int>(lines.size()) * text_height(size) + margin;
   const int top = place.y >= 0 ? place.y : surface.height + place.y - height;
-  fill_rect(surface, {place.left + margin, top, width + 2 * margin, height}, kPlate, kPlateCoverage);
+  fill_rect(surface, {place.left + margin, top, width + 2 * margin, height}, color, coverage);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     draw_text(surface, place.left + 2 * margin, top + margin / 2 + static_cast<int>(i) * text_height(size),
               size, kBright, lines[i]);
@@ -129,6 +133,8 @@ std::vector<std::string> hud_lines(const HudState& state) {
   if (state.exposure_stops) lines.push_back(format("exposure %+.2f EV", *state.exposure_stops));
   if (state.loading) lines.emplace_back("loading …");
   if (state.paused) lines.emplace_back("paused");
+  if (state.done && !state.paused) lines.emplace_back("done: resting");
+  if (!state.governor.empty()) lines.push_back(state.governor);
   if (!state.notice.empty()) lines.push_back(state.notice);
   return lines;
 }
@@ -142,6 +148,7 @@ std::vector<std::string> hud_text(const HudState& state) {
     text.push_back(state.caption);
   }
   text.push_back(std::to_string(state.split));
+  text.push_back(std::to_string(state.offset.x) + "," + std::to_string(state.offset.y));
   text.push_back(state.error);
   return text;
 }
@@ -150,11 +157,12 @@ int split_column(double split, int width) {
   return std::clamp(static_cast<int>(std::lround(split * width)), 0, width);
 }
 
-void draw_side_labels(const Surface& surface, std::span<const HudSide> sides, double split, int top) {
+void draw_side_labels(const Surface& surface, std::span<const HudSide> sides, double split, int top,
+                      int shift) {
   const int column = split_column(split, surface.width);
   // A side may be too narrow for a label of its own; then there is none.
   const int narrowest = 8 * text_size(surface);
-  const std::array places{PlatePlace{0, column, top}, PlatePlace{column, surface.width, top}};
+  const std::array places{PlatePlace{shift, column, top}, PlatePlace{column + shift, surface.width, top}};
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (places[i].right - places[i].left >= narrowest) draw_plate(surface, places[i], side_lines(sides[i]));
   }
@@ -162,16 +170,18 @@ void draw_side_labels(const Surface& surface, std::span<const HudSide> sides, do
 
 void draw_hud(const Surface& surface, const HudState& state) {
   const int margin = text_size(surface) / 2;
-  const PlatePlace bottom{0, surface.width, -margin};
+  static_assert(kMaxPixelShift < kSmallestText / 2, "the lower labels walk within their margin");
+  const PlatePlace bottom{state.offset.x, surface.width, -margin + state.offset.y};
   if (!state.error.empty()) {
-    fill_rect(surface, {0, 0, surface.width, surface.height}, kCard);
-    draw_plate(surface, bottom, std::array{state.title + " cannot be shown", state.error});
+    if (!state.over_picture) fill_rect(surface, {0, 0, surface.width, surface.height}, kCard);
+    draw_plate(surface, bottom, std::array{state.error_title, state.error}, kCard, kCardCoverage);
   } else if (state.visible && !state.caption.empty()) {
     draw_plate(surface, bottom, std::array{state.caption});
   }
-  const int below = draw_plate(surface, {0, surface.width, margin}, hud_lines(state));
+  const int below =
+      draw_plate(surface, {state.offset.x, surface.width, margin + state.offset.y}, hud_lines(state));
   if (state.visible && state.sides.size() > 1)
-    draw_side_labels(surface, state.sides, state.split, below + margin);
+    draw_side_labels(surface, state.sides, state.split, below + margin, state.offset.x);
 }
 
 }  // namespace vitrine

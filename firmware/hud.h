@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pixel_shift.h"
 #include "surface.h"
 
 namespace vitrine {
@@ -38,8 +39,13 @@ struct HudState {
   std::optional<double> exposure_stops;  ///< when set by hand
   bool paused = false;
   bool loading = false;
-  std::string notice;  ///< of the moment: "saved ..."
-  std::string error;   ///< why there is no picture; shown even when the labels are not
+  bool done = false;          ///< the picture has all the samples that it gets
+  std::string governor;       ///< why it is slower than it could be
+  std::string notice;         ///< of the moment: "saved ..."
+  std::string error;          ///< why there is no picture; shown even when the labels are not
+  std::string error_title;    ///< what the error is about
+  bool over_picture = false;  ///< the error has a picture behind it: its card leaves that visible
+  PixelOffset offset;         ///< of all labels, to spare the panel
 };
 
 /// A ratio in two digits that count: "43 %", "3.2 %", "0.57 %".
@@ -58,11 +64,12 @@ std::vector<std::string> hud_text(const HudState& state);
 /// The first column of the right side.
 int split_column(double split, int width);
 
-/// Draws the labels of two sides, each over its side, beginning `top` pixels down.
-void draw_side_labels(const Surface& surface, std::span<const HudSide> sides, double split, int top);
+/// Draws the labels of two sides, each over its side, beginning `top` pixels down and `shift` to the right.
+void draw_side_labels(const Surface& surface, std::span<const HudSide> sides, double split, int top,
+                      int shift = 0);
 
-/// Draws the lines at the top left, the labels of two sides beneath them, and the caption at the bottom. With
-/// an error, a card that tells it fills the surface beneath them.
+/// Draws the lines at the top left, the labels of two sides beneath them, and the caption at the bottom. An
+/// error is a card there instead, that fills the surface beneath them where there is no picture.
 void draw_hud(const Surface& surface, const HudState& state);
 
 }  // namespace vitrine

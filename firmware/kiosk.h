@@ -5,7 +5,9 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "actions.h"
@@ -13,9 +15,12 @@
 #include "clocks.h"
 #include "display.h"
 #include "exhibit.h"
+#include "gestures.h"
 #include "hud.h"
 #include "lecture.h"
+#include "manners.h"
 #include "rate.h"
+#include "supervisor.h"
 
 namespace vitrine {
 
@@ -24,6 +29,21 @@ struct KioskSettings {
   std::vector<LectureStop> lecture;  ///< what the button "lecture" steps through
   std::uint64_t frames = std::numeric_limits<std::uint64_t>::max();  ///< to present at most
   std::filesystem::path screenshot_folder = ".";
+  std::vector<GestureRule> gestures{};  ///< of buttons that are more than their own action
+  MannersSettings manners{};
+  std::string complaint{};  ///< what is wrong with the whole box; a card says it over every scene
+};
+
+/// What a running kiosk is told to change.
+struct Refit {
+  std::optional<KioskSettings> settings{};  ///< instead of the old ones, but for the frames; nothing: stay
+  std::string notice{};                     ///< for the labels
+};
+
+/// Who looks after a kiosk from outside; both may be left out.
+struct KioskCare {
+  Supervisor* supervisor = nullptr;
+  std::function<std::optional<Refit>()> take_refit{};  ///< looked at before each frame
 };
 
 /// How a session went, on the machine's clock.
@@ -31,7 +51,8 @@ struct KioskReport {
   std::uint64_t frames = 0;
   double seconds = 0.0;
   std::uint64_t presses = 0;
-  double slowest_press_ms = 0.0;  ///< from a press to the end of the present() that showed its label
+  double slowest_press_ms =
+      0.0;  ///< from a gesture's edge or deadline to the end of the present() that showed it
 };
 
 class Kiosk {
@@ -39,7 +60,7 @@ class Kiosk {
   /// Live on `clock`, or, when `stepped` is given (the same clock), in steps of one sample a pixel and 1/60 s
   /// a frame, which give the same frames on every machine. All references must outlive the kiosk.
   Kiosk(Display& display, Buttons& buttons, const TimeSource& clock, SyntheticClock* stepped,
-        Workers& workers, LoadScene load, KioskSettings settings);
+        Workers& workers, LoadScene load, KioskSettings settings, KioskCare care = {});
 
   /// Runs until the button "quit", the last frame, or `stop`.
   KioskReport run(const std::atomic<bool>& stop);
@@ -49,10 +70,20 @@ class Kiosk {
 
  private:
   void take_presses();
+  /// How long to wait for a press while nothing happens.
+  [[nodiscard]] std::chrono::milliseconds idle_patience() const;
   void perform(const ActionButton& button);
   void next_stop();
+  /// Takes other settings, if there are any.
+  void refit();
+  /// What it does by itself: the idle tour, and tracing only as much as it may.
+  void mind_manners();
+  /// As it was in the beginning.
+  void restore();
+  /// Shows a line for a while.
+  void notify(const std::string& notice, Clock::duration time);
   void move_split(int steps);
-  void save_screenshot();
+  void save_shown();
   /// Follows the display's size and the time.
   void fit_display();
   void live_step();
@@ -60,15 +91,20 @@ class Kiosk {
   void count_rays();
   [[nodiscard]] HudState describe() const;
   void present();
+  void tell_supervisor();
 
   Display& display_;
   Buttons& buttons_;
   const TimeSource& clock_;
   SyntheticClock* const stepped_;
   const std::uint64_t last_frame_;
-  const std::filesystem::path screenshot_folder_;
+  const KioskCare care_;
+  std::filesystem::path screenshot_folder_;
+  std::string complaint_;
   Exhibit exhibit_;
   LectureTour tour_;
+  Manners manners_;
+  GestureRecogniser gestures_;
 
   bool quitting_ = false;
   bool idle_ = false;  ///< nothing to do but to wait for a press
@@ -87,7 +123,7 @@ class Kiosk {
   // On the machine's clock:
   Clock::time_point polled_;  ///< when the buttons were last known to be up to date
   Clock::time_point presented_;
-  std::optional<Clock::time_point> unanswered_;  ///< the earliest press whose label was not shown yet
+  std::optional<Clock::time_point> unanswered_;  ///< the earliest gesture whose label was not shown yet
   KioskReport report_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "installed_files.h"
 #include "nearest_name.h"
 #include "strict_toml.h"
 
@@ -116,7 +117,7 @@ std::vector<LectureStop> read_lecture(const std::filesystem::path& path) {
 
 std::vector<LectureStop> find_lecture(const std::optional<std::filesystem::path>& path) {
   if (path) return read_lecture(*path);
-  const std::optional<std::filesystem::path> installed = installed_scenes_file("lecture.toml");
+  const std::optional<std::filesystem::path> installed = installed_file("scenes/lecture.toml");
   return installed ? read_lecture(*installed) : std::vector<LectureStop>{};
 }
 

@@ -39,6 +39,11 @@ class LectureTour {
   /// Goes on to the next stop, after the last to the first; after leave() back to the one that was left.
   const LectureStop& go_on();
   void leave() { under_way_ = false; }
+  /// The next visitor begins with the first stop.
+  void restart() {
+    index_ = 0;
+    under_way_ = false;
+  }
   /// Nothing unless under way.
   [[nodiscard]] const LectureStop* stop() const { return under_way_ ? &stops_[index_] : nullptr; }
   /// "3/12 Russian roulette", of stop().

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "built_in_scene.h"
 #include "scene/gltf_import.h"
 #include "scene/hdr_file.h"
 
@@ -17,7 +18,7 @@ void light(Scene& scene, const EnvironmentChoice& choice) {
 }  // namespace
 
 std::shared_ptr<const LoadedScene> load_scene(const PlaylistScene& scene, Numbers numbers) {
-  Scene imported = import_gltf(scene.file);
+  Scene imported = is_built_in(scene) ? built_in_scene() : import_gltf(scene.file);
   if (scene.environment) {
     light(imported, *scene.environment);
   } else if (scene.default_environment && imported.has_default_light) {

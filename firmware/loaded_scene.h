@@ -16,7 +16,8 @@ struct LoadedScene {
   std::unique_ptr<const BakedScene> baked;
 };
 
-/// Imports and bakes. Throws InputError, also when the scene does not fit the number system.
+/// Imports, or takes what is built in, and bakes. Throws InputError, also when the scene does not fit the
+/// number system.
 std::shared_ptr<const LoadedScene> load_scene(const PlaylistScene& scene, Numbers numbers);
 
 /// How the kiosk loads; load_scene, unless a test has scenes of its own.

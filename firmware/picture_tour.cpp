@@ -15,6 +15,7 @@ bool take_tour(const ExhibitSettings& settings, const std::filesystem::path& fol
   for (const PlaylistScene& scene : settings.scenes) {
     ExhibitSettings alone = settings;
     alone.scenes = {scene};
+    alone.stand_in.reset();  // a scene that cannot be shown has no picture
     Exhibit exhibit(std::move(alone), Pace::kStepped, workers, load);
     const auto unfinished = [](const std::unique_ptr<Side>& side) { return side->samples() < kTourSamples; };
     while (std::ranges::any_of(exhibit.sides(), unfinished) && exhibit.error().empty() && !stop)

@@ -1,5 +1,6 @@
 #include "picture_view.h"
 
+#include <algorithm>
 #include <span>
 
 namespace vitrine {
@@ -41,6 +42,23 @@ void show_sides(const Surface& surface, std::span<const std::unique_ptr<Side>> s
 
 void draw_split(const Surface& surface, int column) {
   fill_rect(surface, {column - 1, 0, 2, surface.height}, {255, 255, 255});
+}
+
+void dim_surface(const Surface& surface, double level) {
+  if (level >= 1.0) return;
+  constexpr int kWhole = 256;
+  const int factor = std::max(static_cast<int>(level * kWhole), 0);
+  std::vector<std::uint8_t> row;
+  row.reserve(static_cast<std::size_t>(surface.width) * 3);
+  for (int y = 0; y < surface.height; ++y) {
+    row.clear();
+    for (int x = 0; x < surface.width; ++x) {
+      const Rgb8 pixel = read_pixel(surface, x, y);
+      for (const std::uint8_t channel : {pixel.r, pixel.g, pixel.b})
+        row.push_back(static_cast<std::uint8_t>(channel * factor / kWhole));
+    }
+    write_rgb_row(surface, 0, y, row);
+  }
 }
 
 DevelopedPicture read_picture(const Surface& surface) {

@@ -20,6 +20,9 @@ void show_sides(const Surface& surface, std::span<const std::unique_ptr<Side>> s
 /// The line between two pictures that are shown side by side.
 void draw_split(const Surface& surface, int column);
 
+/// Makes all of `surface` less bright: 0 is black, 1 leaves it alone.
+void dim_surface(const Surface& surface, double level);
+
 /// A copy of what `surface` shows.
 DevelopedPicture read_picture(const Surface& surface);
 

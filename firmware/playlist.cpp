@@ -4,6 +4,7 @@
 #include <cctype>
 #include <system_error>
 
+#include "installed_files.h"
 #include "mode_choice.h"
 #include "nearest_name.h"
 #include "scene/input_error.h"
@@ -68,16 +69,7 @@ std::vector<PlaylistScene> read_playlist(const std::filesystem::path& path) {
   return scenes;
 }
 
-std::optional<std::filesystem::path> installed_scenes_file(const std::string& name) {
-  std::error_code ignored;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const std::filesystem::path file =
-      (program.parent_path() / "../share/vitrine/scenes" / name).lexically_normal();
-  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-  return file;
-}
-
-std::optional<std::filesystem::path> installed_playlist() { return installed_scenes_file("playlist.toml"); }
+std::optional<std::filesystem::path> installed_playlist() { return installed_file("scenes/playlist.toml"); }
 
 std::vector<PlaylistScene> find_playlist(const std::optional<std::filesystem::path>& path) {
   if (path) return read_playlist(*path);

@@ -20,6 +20,8 @@ struct PlaylistScene {
   const Mode* mode = nullptr;                              ///< to begin with; nullptr: the one in use
   std::optional<EnvironmentChoice> environment{};          ///< instead of the one that the file brings
   std::optional<EnvironmentChoice> default_environment{};  ///< where the file brings no light at all
+
+  bool operator==(const PlaylistScene&) const = default;
 };
 
 /// Reads a playlist: `[[scene]]` tables with `file` (relative to the playlist), `title`, and optionally
@@ -31,8 +33,6 @@ bool is_scene_file(const std::filesystem::path& path);
 /// A scene that no playlist says anything about.
 PlaylistScene scene_of_file(const std::filesystem::path& file);
 
-/// A file that is installed with the scenes (or lies with them beside a build folder), if there is one.
-std::optional<std::filesystem::path> installed_scenes_file(const std::string& name);
 /// The playlist that is installed, if there is one.
 std::optional<std::filesystem::path> installed_playlist();
 

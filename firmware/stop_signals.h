@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM ask the program to end; a second one ends it at once.
+// What signals ask for: SIGINT and SIGTERM an end, a second one at once; SIGHUP that the config be read anew.
 #pragma once
 
 #include <atomic>
@@ -7,5 +7,8 @@ namespace vitrine {
 
 /// From this call on the signals set the flag, which is returned, instead of killing the program.
 const std::atomic<bool>& watch_stop_signals();
+
+/// The same for SIGHUP; who acts on it clears the flag.
+std::atomic<bool>& watch_reload_signal();
 
 }  // namespace vitrine

@@ -5,6 +5,7 @@
 
 #include "firmware/temporary_folder.h"
 #include "scene/input_error.h"
+#include "source_file.h"
 
 namespace vitrine {
 namespace {
@@ -28,7 +29,7 @@ TEST(BoxConfig, ReadsEveryKey) {
                    "display = 'headless'\nbuttons = 'sdl,script'\nplaylist = 'list.toml'\nsize = '320x240'\n"
                    "mode = 'nee'\nnumbers = 'fixed'\nthreads = 3\nlecture = 'tour.toml'\n"
                    "environment = 'sky.hdr'\nenvironment_nits = 20\nenvironment_rotation = -1.5\n"));
-  EXPECT_EQ(config.display, "headless");
+  EXPECT_EQ(config.display_key(), "headless");
   EXPECT_EQ(config.buttons, "sdl,script");
   EXPECT_EQ(config.playlist, folder.path() / "list.toml");
   EXPECT_EQ(config.lecture, folder.path() / "tour.toml");
@@ -41,9 +42,10 @@ TEST(BoxConfig, ReadsEveryKey) {
 }
 
 TEST(BoxConfig, TheInstalledOneIsGoodAndLeavesAllOpen) {
-  const BoxConfig config = read_box_config(VITRINE_SOURCE_DIR "/firmware/kiosk.toml");
-  EXPECT_FALSE(config.display || config.buttons || config.playlist || config.size || config.mode ||
-               config.threads || config.environment);
+  const BoxConfig config = read_box_config(source_file("firmware/kiosk.toml"));
+  EXPECT_EQ(config.display_key(), "auto");
+  EXPECT_FALSE(config.buttons || config.playlist || config.size || config.mode || config.threads ||
+               config.environment);
 }
 
 TEST(BoxConfig, SaysWhereItIsWrong) {

@@ -331,5 +331,74 @@ TEST_P(ComparisonIn, EachSideIsThePictureOfItsModeAlone) {
 INSTANTIATE_TEST_SUITE_P(Numbers, ComparisonIn, testing::Values(Numbers::kFloat, Numbers::kFixed),
                          [](const auto& test) { return std::string(numbers_name(test.param)); });
 
+TEST_F(ExhibitTest, TheStandInIsOnShowInThePlaceOfABrokenScene) {
+  ExhibitSettings standing = settings();
+  standing.stand_in = named_scene("stand-in");
+  bool all_broken = false;
+  const LoadScene load = [&](const PlaylistScene& scene, Numbers) -> std::shared_ptr<const LoadedScene> {
+    if (scene.name == "second" || all_broken) throw std::runtime_error(scene.name + " is broken");
+    return fake_scene(world_);
+  };
+  Exhibit exhibit(standing, Pace::kStepped, workers_, load);
+  exhibit.advance({});
+  EXPECT_FALSE(exhibit.standing_in());
+  exhibit.turn_scene(1);
+  for (int i = 0; i < 4; ++i) exhibit.advance({});
+  EXPECT_TRUE(exhibit.standing_in());
+  EXPECT_EQ(exhibit.error(), "second is broken");
+  EXPECT_GT(left(exhibit).samples(), 0U);
+  exhibit.turn_mode(1);
+  for (int i = 0; i < 2; ++i) exhibit.advance({});
+  EXPECT_EQ(exhibit.error(), "second is broken") << "another technique cannot mend it";
+  all_broken = true;
+  exhibit.switch_numbers();
+  for (int i = 0; i < 4; ++i) exhibit.advance({});
+  EXPECT_FALSE(exhibit.standing_in());
+  EXPECT_EQ(exhibit.error(), "second is broken");
+  all_broken = false;
+  exhibit.turn_scene(1);
+  for (int i = 0; i < 2; ++i) exhibit.advance({});
+  EXPECT_EQ(exhibit.error(), "");
+}
+
+TEST_F(ExhibitTest, WithEnoughSamplesItRests) {
+  ExhibitSettings few = settings();
+  few.max_spp = 3;
+  few.compare = parse_comparison("basic,nee");
+  Exhibit exhibit(few, Pace::kStepped, workers_, fake_loader(world_));
+  for (int i = 0; i < 5; ++i) exhibit.advance({});
+  EXPECT_FALSE(exhibit.done() && right(exhibit).samples() < 3U);
+  for (int i = 0; i < 3; ++i) exhibit.advance({});
+  EXPECT_TRUE(exhibit.done());
+  EXPECT_EQ(left(exhibit).samples(), 3U);
+  EXPECT_EQ(right(exhibit).samples(), 3U);
+  few.max_spp = 4;
+  exhibit.refit(few);
+  EXPECT_FALSE(exhibit.done());
+  exhibit.advance({});
+  EXPECT_EQ(left(exhibit).samples(), 4U) << "more samples begin nothing anew";
+}
+
+TEST_F(ExhibitTest, GoesBackToHowItBegan) {
+  Exhibit exhibit(settings(), Pace::kStepped, workers_, fake_loader(world_));
+  exhibit.advance({});
+  const Technique began = left(exhibit).technique;
+  exhibit.turn_scene(2);
+  exhibit.turn_mode(1);
+  exhibit.toggle_comparison();
+  exhibit.switch_numbers();
+  exhibit.brighten(4);
+  exhibit.set_paused(true);
+  exhibit.turn_view(1);
+  exhibit.begin();
+  EXPECT_EQ(exhibit.scene().name, "first");
+  EXPECT_EQ(exhibit.sides().size(), 1U);
+  EXPECT_EQ(left(exhibit).technique, began);
+  EXPECT_EQ(exhibit.numbers(), Numbers::kFloat);
+  EXPECT_EQ(exhibit.manual_exposure(), std::nullopt);
+  EXPECT_FALSE(exhibit.paused());
+  EXPECT_EQ(&exhibit.view(), &views().front());
+}
+
 }  // namespace
 }  // namespace vitrine

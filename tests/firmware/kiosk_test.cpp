@@ -38,8 +38,8 @@ class TestButtons final : public Buttons {
   std::vector<ButtonEvent> poll(std::chrono::milliseconds) override {
     std::vector<ButtonEvent> events;
     for (const std::string& name : next_press()) {
-      events.push_back({name, Edge::kPress, {}});
-      events.push_back({name, Edge::kRelease, {}});
+      events.push_back({name, Edge::kPress, Clock::now()});
+      events.push_back({name, Edge::kRelease, Clock::now()});
     }
     return events;
   }
@@ -404,6 +404,59 @@ TEST_F(SteppedKioskTest, TheViewIsNamedWithItsLegend) {
     EXPECT_EQ(hud.view.empty(), frame == 0 || frame == 3);
     EXPECT_EQ(hud.view_legend.empty(), frame == 0 || frame == 3);
   });
+}
+
+/// Twelve synthetic seconds with one press.
+TEST_F(KioskTest, LeftAloneItShowsItselfAndBeginsAnew) {
+  KioskSettings idle = settings();
+  idle.frames = 60 * 12;
+  idle.manners.idle = {.after = std::chrono::seconds(4), .every = std::chrono::seconds(2), .reset = {}};
+  Kiosk kiosk(display_, buttons_, synthetic_, &synthetic_, workers_, fake_loader(world_), idle);
+  std::uint64_t frame = 0;
+  buttons_.next_press = [&] { return frame == 540 ? Names{"scene"} : Names{}; };
+  std::vector<std::string> titles;
+  display_.on_present = [&] {
+    if (titles.empty() || titles.back() != kiosk.hud().title) titles.push_back(kiosk.hud().title);
+    ++frame;
+  };
+  kiosk.run(stop_);
+  EXPECT_EQ(titles, (Names{"The first", "1/2 One", "2/2 Two", "1/2 One", "The third"}));
+}
+
+TEST_F(KioskTest, ABlackHourShowsNothingAndTracesNothing) {
+  KioskSettings dark = settings();
+  dark.manners.dim = {{TimeOfDay(0), TimeOfDay(60), 0.0}};
+  dark.manners.time_of_day = [] { return TimeOfDay(30); };
+  dark.frames = 3;
+  Kiosk kiosk(display_, buttons_, system_, nullptr, workers_, fake_loader(world_), dark);
+  display_.on_present = [&] {
+    EXPECT_EQ(read_pixel(display_.shown(), 5, 5), Rgb8{});
+    EXPECT_EQ(kiosk.hud().sides[0].samples_per_pixel, 0U);
+  };
+  kiosk.run(stop_);
+}
+
+TEST_F(KioskTest, AComplaintIsACardOverThePictureUntilARefit) {
+  KioskSettings wrong = settings();
+  wrong.complaint = "list.toml: broken; mend it";
+  wrong.frames = 6;
+  std::uint64_t frame = 0;
+  const KioskCare care{.supervisor = nullptr, .take_refit = [&]() -> std::optional<Refit> {
+                         if (frame == 2) return Refit{.settings = {}, .notice = "still wrong"};
+                         if (frame != 4) return std::nullopt;
+                         KioskSettings right = settings();
+                         right.exhibit.scenes.erase(right.exhibit.scenes.begin());
+                         return Refit{.settings = right, .notice = "mended"};
+                       }};
+  Kiosk kiosk(display_, buttons_, synthetic_, &synthetic_, workers_, fake_loader(world_), wrong, care);
+  display_.on_present = [&] {
+    EXPECT_EQ(kiosk.hud().error, frame < 4 ? wrong.complaint : "") << frame;
+    EXPECT_EQ(kiosk.hud().over_picture, frame < 4) << frame;
+    EXPECT_EQ(kiosk.hud().notice, frame < 2 ? "" : frame < 4 ? "still wrong" : "mended") << frame;
+    EXPECT_EQ(kiosk.hud().title, frame < 4 ? "The first" : "The second") << frame;
+    ++frame;
+  };
+  kiosk.run(stop_);
 }
 
 // The answer to a press must not wait for either side's pass.

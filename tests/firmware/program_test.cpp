@@ -9,6 +9,7 @@
 #include "firmware/program_runs.h"
 #include "integrators/modes.h"
 #include "integrators/parameters.h"
+#include "source_file.h"
 
 namespace vitrine {
 namespace {
@@ -42,6 +43,17 @@ void expect_failure(const std::string& arguments, int status, const std::string&
   EXPECT_THAT(run.err, HasSubstr(message)) << arguments;
   EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
   EXPECT_EQ(run.out, "") << arguments;
+}
+
+TEST_F(ProgramTest, TheProbeTellsWhatIsHereWhateverThatIs) {
+  const ProgramRun text = run_program("probe");
+  EXPECT_EQ(text.status, 0) << text.err;
+  for (const char* part : {"Screens\n  ", "Pins\n  ", "Input devices\n  "})
+    EXPECT_THAT(text.out, HasSubstr(part));
+  const ProgramRun run = run_program("probe --json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  for (const char* key : {"cards", "framebuffers", "gpio_chips", "input_devices", "problems"})
+    EXPECT_TRUE(json::parse(run.out).contains(key)) << key;
 }
 
 TEST_F(ProgramTest, WrongUsageIsTwo) {
@@ -143,7 +155,7 @@ TEST_F(ProgramTest, ScenesTellsThePlaylistAsResolved) {
 }
 
 TEST_F(ProgramTest, FindsItsOwnPlaylist) {
-  if (!std::filesystem::exists(VITRINE_SOURCE_DIR "/scenes/playlist.toml"))
+  if (!std::filesystem::exists(source_file("scenes/playlist.toml")))
     GTEST_SKIP() << "no scenes/playlist.toml";
   const json scenes = json::parse(run_program("scenes --json").out);
   ASSERT_FALSE(scenes.empty());

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "firmware/program_runs.h"
+#include "source_file.h"
 
 namespace vitrine {
 namespace {
@@ -24,16 +25,16 @@ class SessionTest : public testing::Test {
     return file_content(out);
   }
 
-  static constexpr const char* kScene = VITRINE_SOURCE_DIR "/scenes/cornell.gltf";
+  const std::string kScene = source_file("scenes/cornell.gltf");
   TemporaryFolder folder_;
 };
 
 TEST_F(SessionTest, TheSameScriptShowsTheSameFrames) {
   const std::string script =
       "0.05 tap mode\n0.1 tap exposure-up\n0.15 tap numbers\n0.3 tap pause\n0.4 tap quit\n";
-  const std::string one = last_frame(script, std::string(kScene) + " --threads 1");
+  const std::string one = last_frame(script, kScene + " --threads 1");
   EXPECT_FALSE(one.empty());
-  EXPECT_EQ(one, last_frame(script, std::string(kScene) + " --threads 3"));
+  EXPECT_EQ(one, last_frame(script, kScene + " --threads 3"));
   EXPECT_NE(one, last_frame("0.05 tap mode\n0.4 tap quit\n", kScene));
 }
 
@@ -58,9 +59,8 @@ TEST_F(SessionTest, ReportsItsPresses) {
 }
 
 TEST_F(SessionTest, EndsOnATerminationSignal) {
-  const ProgramRun run =
-      run_program("run --display headless --frames 1000000000 --size 80x60 --json " + std::string(kScene) +
-                  " & pid=$!; sleep 2; kill -TERM $pid; wait $pid; exit $?; #");
+  const ProgramRun run = run_program("run --display headless --frames 1000000000 --size 80x60 --json " +
+                                     kScene + " & pid=$!; sleep 2; kill -TERM $pid; wait $pid; exit $?; #");
   EXPECT_EQ(run.status, 0) << run.err;
 }
 
