@@ -1,15 +1,15 @@
-// The service manager's end of NOTIFY_SOCKET: prints each line that a service sends, after the seconds since boot.
-// `notify_listener SOCKET` makes the socket and listens until it is ended.
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
-
+// The service manager's end of NOTIFY_SOCKET: prints each line that a service sends, after the seconds since
+// boot. `notify_listener SOCKET` makes the socket and listens until it is ended.
 #include <array>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <sstream>
 #include <string>
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 int main(int count, char** words) {
   if (count != 2) return 2;

@@ -1,5 +1,6 @@
-// Frames of one colour each, which is the frame's number: what shows two colours is torn. `tearing_pattern [DISPLAY]`
-// draws until it is ended; every row is drawn anew, from the top, with a pause in the middle of the frame.
+// Frames of one colour each, which is the frame's number: what shows two colours is torn. `tearing_pattern
+// [DISPLAY]` draws until it is ended; every row is drawn anew, from the top, with a pause in the middle of
+// the frame.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
