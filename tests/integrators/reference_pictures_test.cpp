@@ -87,11 +87,12 @@ TEST_P(ReferencePictures, AreMatched) {
     GTEST_SKIP() << "no " << file << " or no " << picture
                  << "; set VITRINE_SHARED to the folder that has them";
   }
+  const Mode* const mode = find_mode(key);
   const Pfm reference = read_pfm(picture);
   const auto baked = bake(import_gltf(file), numbers);
   const auto render = [&](std::uint64_t seed) {
     const auto renderer = baked->make_renderer(
-        {.mode = find_mode(key), .width = reference.width, .height = reference.height, .seed = seed});
+        {.mode = mode, .width = reference.width, .height = reference.height, .seed = seed});
     Film film = renderer->make_film();
     const std::atomic<bool> cancel{false};
     for_each_on_all_cores(reference.height, [&](int y) {
