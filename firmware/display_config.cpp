@@ -15,7 +15,7 @@ constexpr std::array kRotations{0, 90, 180, 270};
 /// The value of `key`, if it is there.
 std::optional<std::string> read_backend(const std::filesystem::path& path, const toml::table& table,
                                         const std::string& key) {
-  const auto backend = toml_value<std::string>(path, table, key, "a string");
+  std::optional<std::string> backend = toml_value<std::string>(path, table, key, "a string");
   if (!backend) return std::nullopt;
   // Not every build has every backend, and a config may serve several: only what no build knows is wrong.
   std::vector<std::string> known{"auto", "sdl", "drm", "fbdev", "headless"};
