@@ -27,7 +27,7 @@ void remove_oldest(const std::filesystem::path& folder, std::size_t kept) {
 
 std::string save_screenshot(const std::filesystem::path& folder, const std::string& name,
                             const DevelopedPicture& picture, std::size_t kept) {
-  const std::string file = "vitrine-" + name + ".png";
+  std::string file = "vitrine-" + name + ".png";
   write_png(folder / file, picture.width, picture.height, picture.rgb);
   remove_oldest(folder, kept);
   return file;
