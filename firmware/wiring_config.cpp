@@ -1,4 +1,5 @@
 // The tables [[gpio]] and [[evdev]] of a config or a board file.
+#include "backends.h"
 #include "hardware_config.h"
 #include "toml_reader.h"
 
@@ -53,6 +54,8 @@ std::map<std::string, std::string> read_keys(const TomlReader& reader) {
       throw toml_error(reader.path(), key.source(), "'" + code + "' is no key of an input device",
                        "name a KEY_..., a BTN_..., or a REL_... with + or - behind it");
     }
+    if (const std::string remedy = key_remedy(code); !remedy.empty())
+      throw toml_error(reader.path(), key.source(), "no key or axis step is called '" + code + "'", remedy);
     const std::optional<std::string> button = value.value_exact<std::string>();
     if (!button || button->empty())
       throw toml_error(reader.path(), value.source(), "'" + code + "' needs the name of a button", form);

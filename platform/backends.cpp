@@ -9,10 +9,11 @@
 #include "headless_display.h"
 #include "merged_buttons.h"
 #include "nearest_name.h"
-#include "scan_out.h"
+#include "picture_frame.h"
 #include "script_buttons.h"
 #if VITRINE_EVDEV
 #include "evdev_buttons.h"
+#include "input_codes.h"
 #endif
 #if VITRINE_GPIO
 #include "gpio_buttons.h"
@@ -33,21 +34,13 @@ namespace {
 
 const SystemClock kSystemClock;
 
-/// The picture of a display that has no size of its own when none is asked for.
-constexpr Extent kUsualPicture{800, 480};
-
-Extent picture_of(const DisplayRequest& request) {
-  if (request.width == 0 || request.height == 0) return kUsualPicture;
-  return {request.width, request.height};
-}
-
 // clang-format off: it cannot indent a table with conditional rows
 constexpr auto kDisplays = std::to_array<DisplayBackend>({
 #if VITRINE_SDL
   {"sdl", "a window on the desktop that simulates the box",
    [](const DisplayRequest& request) -> Panel {
      const TimeSource& clock = request.clock != nullptr ? *request.clock : kSystemClock;
-     const auto [width, height] = picture_of(request);
+     const auto [width, height] = or_usual({request.width, request.height});
      const auto window = std::make_shared<SdlWindow>(width, height, request.title, request.buttons, clock);
      return {.display = window, .buttons = window};
    }},
@@ -71,7 +64,7 @@ constexpr auto kDisplays = std::to_array<DisplayBackend>({
        list_framebuffers},
 #endif
       {"headless", "frames in memory, without a screen", [](const DisplayRequest& request) -> Panel {
-         const auto [width, height] = picture_of(request);
+         const auto [width, height] = or_usual({request.width, request.height});
          return {.display = std::make_shared<HeadlessDisplay>(width, height)};
        }},
 });
@@ -99,7 +92,8 @@ constexpr auto kButtons = std::to_array<ButtonsBackend>({
        },
        [](std::span<const ButtonSpec> buttons) {
          return ButtonInventory{.gpio = {}, .input = find_input_devices(buttons)};
-       }},
+       },
+       unknown_key_remedy},
 #endif
 #if VITRINE_SDL
       {"sdl", "keys and on-screen buttons of the SDL window", "the display 'sdl'",
@@ -191,6 +185,13 @@ std::shared_ptr<Buttons> open_buttons(std::string_view list, const Panel& panel,
   }
   if (sources.size() == 1) return sources.front();
   return std::make_shared<MergedButtons>(std::move(sources));
+}
+
+std::string key_remedy(const std::string& name) {
+  for (const ButtonsBackend& backend : kButtons) {
+    if (backend.unknown_key_remedy != nullptr) return backend.unknown_key_remedy(name);
+  }
+  return "";
 }
 
 ButtonInventory list_buttons(std::span<const ButtonSpec> buttons) {

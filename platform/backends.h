@@ -70,6 +70,8 @@ struct ButtonsBackend {
   bool (*wanted)(const Panel& panel, const ButtonsRequest& request);  ///< whether "auto" takes it
   std::shared_ptr<Buttons> (*open)(const Panel& panel, const ButtonsRequest& request);
   ButtonInventory (*list)(std::span<const ButtonSpec>) = nullptr;  ///< what of this machine it could read
+  /// Of a name in EvdevDevice::keys that is no key: what to write instead. Empty for a good one.
+  std::string (*unknown_key_remedy)(const std::string& name) = nullptr;
 };
 
 [[nodiscard]] std::span<const ButtonsBackend> buttons_backends();
@@ -78,6 +80,10 @@ struct ButtonsBackend {
 /// Throws std::runtime_error, one line with a remedy, and ScriptError for a bad script.
 [[nodiscard]] std::shared_ptr<Buttons> open_buttons(std::string_view list, const Panel& panel,
                                                     const ButtonsRequest& request);
+
+/// What to write instead of a name in EvdevDevice::keys that is no key; empty when it is one, or when this
+/// build reads no input devices.
+[[nodiscard]] std::string key_remedy(const std::string& name);
 
 /// What this machine offers as buttons; `buttons` says which keys the box knows.
 [[nodiscard]] ButtonInventory list_buttons(std::span<const ButtonSpec> buttons);

@@ -1,20 +1,11 @@
 #include "drm_display.h"
 
 #include <system_error>
-#include <thread>
 
 #include "screen_choice.h"
 
 namespace vitrine {
 namespace {
-
-/// Hotplug is told by an event; where that is lost or never sent, a look now and then finds out.
-constexpr std::chrono::seconds kLookPeriod{1};
-constexpr std::chrono::nanoseconds kWaitingFrame{1'000'000'000 / 60};
-/// The picture while there has been no screen to take the size from.
-constexpr Extent kUsualPicture{800, 480};
-
-Extent size_of(const Surface& surface) { return {surface.width, surface.height}; }
 
 bool is_same(const DrmPipe& a, const DrmPipe& b) {
   return a.connector == b.connector && a.mode.width == b.mode.width && a.mode.height == b.mode.height &&
@@ -25,24 +16,21 @@ bool is_same(const DrmPipe& a, const DrmPipe& b) {
 }  // namespace
 
 DrmDisplay::DrmDisplay(Extent picture, DisplayOptions options, bool insists)
-    : picture_(picture.width > 0 && picture.height > 0 ? picture : Extent{}),
-      options_(std::move(options)),
-      frame_(picture_ == Extent{} ? kUsualPicture.width : picture_.width,
-             picture_ == Extent{} ? kUsualPicture.height : picture_.height, PixelFormat::kXrgb8888) {
+    : options_(std::move(options)), frame_(picture) {
   if (!options_.mode.empty()) static_cast<void>(parse_mode(options_.mode));  // throws now rather than later
   find_screen();
   if (!screen_ && !card_seen_ && !insists) throw DisplayUnavailable(notice_);
 }
 
 DisplayMode DrmDisplay::mode() const {
-  const auto [width, height] = size_of(frame_.surface());
+  const auto [width, height] = frame_.size();
   DisplayMode mode{.width = width, .height = height};
   if (screen_ && screen_->pipe().mode.refresh_hz > 0.0) mode.refresh_hz = screen_->pipe().mode.refresh_hz;
   return mode;
 }
 
 void DrmDisplay::find_screen() {
-  next_look_ = Clock::now() + kLookPeriod;
+  pace_.looked();
   std::string reasons;
   const auto add = [&](const std::string& reason) { reasons += (reasons.empty() ? "" : ". ") + reason; };
   card_seen_ = false;
@@ -80,12 +68,8 @@ void DrmDisplay::find_screen() {
 
 void DrmDisplay::light(DrmCard card, const DrmPipe& pipe) {
   auto screen = std::make_unique<DrmScreen>(std::move(card), pipe);
-  const Extent seen = turned({pipe.mode.width, pipe.mode.height}, options_.rotation);
-  const Extent picture = picture_ == Extent{} ? seen : picture_;
-  if (picture != size_of(frame_.surface())) {
-    frame_ = SurfaceMemory(picture.width, picture.height, PixelFormat::kXrgb8888);
-  }
-  scan_out_.emplace(picture, screen->memory(), options_.rotation, options_.scaling);
+  frame_.fit({pipe.mode.width, pipe.mode.height}, options_.rotation);
+  scan_out_.emplace(frame_.size(), screen->memory(), options_.rotation, options_.scaling);
   for (std::byte* const pixels : screen->all_pixels()) scan_out_->blacken(pixels);
   screen_ = std::move(screen);
   if (!console_shown()) return;  // serve_console() shows it
@@ -101,9 +85,10 @@ bool DrmDisplay::show() {
 }
 
 void DrmDisplay::watch_screen() {
+  // Hotplug is told by an event; where that is lost or never sent, a look now and then finds out.
   const bool heard = monitor_.heard();
-  if (!heard && Clock::now() < next_look_) return;
-  next_look_ = Clock::now() + kLookPeriod;
+  if (!heard && !pace_.look_is_due()) return;
+  pace_.looked();
   if (screen_) {
     const std::optional<DrmPipe> pipe =
         screen_->card().choose_pipe(options_, heard ? Probe::kAnew : Probe::kLastSeen);
@@ -130,14 +115,10 @@ void DrmDisplay::present() {
   serve_console();
   if (console_shown()) watch_screen();
   if (!waiting_for_screen()) {
-    if (show()) {
-      presented_ = Clock::now();
-      return;
-    }
+    if (show()) return pace_.presented();
     screen_.reset();
   }
-  std::this_thread::sleep_until(presented_ + kWaitingFrame);
-  presented_ = Clock::now();
+  pace_.wait_a_frame();
 }
 
 }  // namespace vitrine

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "buttons.h"
 #include "display.h"
 #include "display_options.h"
 #include "drm_screen.h"
+#include "picture_frame.h"
 #include "scan_out.h"
-#include "surface.h"
+#include "screen_pace.h"
 #include "udev_monitor.h"
 #include "virtual_terminal.h"
 
@@ -46,14 +46,12 @@ class DrmDisplay final : public Display {
   /// Copies the frame out; false when the screen is gone.
   [[nodiscard]] bool show();
 
-  Extent picture_;
   DisplayOptions options_;
-  SurfaceMemory frame_;
+  PictureFrame frame_;
   std::string notice_;
   bool card_seen_ = false;
   UdevMonitor monitor_{"drm"};
-  Clock::time_point next_look_{};
-  Clock::time_point presented_{};
+  ScreenPace pace_;
   std::optional<ScanOut> scan_out_;
   std::optional<VirtualTerminal> console_;
   std::unique_ptr<DrmScreen> screen_;  // closed before the console is given back

@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 
-#include "buttons.h"
 #include "display.h"
 #include "display_options.h"
 #include "framebuffer_device.h"
+#include "picture_frame.h"
 #include "scan_out.h"
-#include "surface.h"
+#include "screen_pace.h"
 #include "virtual_terminal.h"
 
 namespace vitrine {
@@ -36,12 +36,10 @@ class FbdevDisplay final : public Display {
   void serve_console();
   [[nodiscard]] bool console_shown() const { return !console_ || console_->shown(); }
 
-  Extent picture_;
   DisplayOptions options_;
-  SurfaceMemory frame_;
+  PictureFrame frame_;
   std::string notice_;
-  Clock::time_point next_look_{};
-  Clock::time_point presented_{};
+  ScreenPace pace_;
   std::optional<ScanOut> scan_out_;
   std::optional<VirtualTerminal> console_;
   std::unique_ptr<FramebufferDevice> device_;

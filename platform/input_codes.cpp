@@ -69,16 +69,21 @@ std::string kernel_name(const std::string& key) {
 
 }  // namespace
 
+std::string unknown_key_remedy(const std::string& name) {
+  if (parse_code(name)) return "";
+  std::string nearest;
+  for (const std::string& near : nearest_names(name, all_names(), 3))
+    nearest += (nearest.empty() ? "" : ", ") + near;
+  return "the nearest are " + nearest;
+}
+
 InputMap input_map(const EvdevDevice& device) {
   InputMap map;
   for (const auto& [name, button] : device.keys) {
     const std::optional<InputCode> code = parse_code(name);
     if (!code) {
-      std::string nearest;
-      for (const std::string& near : nearest_names(name, all_names(), 3))
-        nearest += (nearest.empty() ? "" : ", ") + near;
       throw std::runtime_error("input device '" + device.name + "': no key or axis step is called '" + name +
-                               "'; the nearest are " + nearest);
+                               "'; " + unknown_key_remedy(name));
     }
     map.emplace(*code, button);
   }

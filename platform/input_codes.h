@@ -22,6 +22,9 @@ struct InputCode {
 
 using InputMap = std::map<InputCode, std::string>;  ///< to buttons
 
+/// The names nearest to that of a key or an axis step which does not exist; empty when it does.
+[[nodiscard]] std::string unknown_key_remedy(const std::string& name);
+
 /// Of EvdevDevice::keys. Throws std::runtime_error, one line with the nearest names.
 [[nodiscard]] InputMap input_map(const EvdevDevice& device);
 

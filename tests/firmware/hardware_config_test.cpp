@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "backends.h"
 #include "box_config.h"
 #include "firmware/temporary_folder.h"
 #include "scene/input_error.h"
@@ -114,6 +115,14 @@ TEST(HardwareConfig, SaysWhereItIsWrong) {
   EXPECT_THAT(refusal("max_spp = 0\n"), HasSubstr("from 1 to 1048576"));
   EXPECT_THAT(refusal("board = 'none.toml'\n"), HasSubstr("no board file 'none.toml'"));
   EXPECT_THAT(refusal("board = 'board.toml'\n", "mode = 'nee'\n"), HasSubstr("unknown key 'mode'"));
+}
+
+TEST(HardwareConfig, AKeyThatNoDeviceHasIsToldBeforeOneIsThere) {
+  if (key_remedy("KEY_NEXTT").empty()) GTEST_SKIP() << "this build reads no input devices";
+  EXPECT_THAT(
+      refusal("[[evdev]]\n[evdev.keys]\nKEY_UP = 'scene'\nKEY_NEXTT = 'mode'\n"),
+      HasSubstr("line 4, column 1: no key or axis step is called 'KEY_NEXTT'; the nearest are KEY_NEXT,"));
+  EXPECT_THAT(refusal("[[evdev]]\nkeys = {REL_X = 'scene'}\n"), HasSubstr("the nearest are REL_X+, REL_X-"));
 }
 
 TEST(HardwareConfig, EveryBoardThatWeShipIsGood) {
