@@ -46,8 +46,10 @@ Refit ConfigReload::read() {
   }
   supervisor_.refit(supervisor_settings(request_, box));
   const std::string left = left_for_restart(box_, box);
+  const std::string missing = buttons_.notice();
   return {.settings = std::move(settings),
-          .notice = "config read anew" + (left.empty() ? "" : "; at the next start: " + left)};
+          .notice = "config read anew" + (left.empty() ? "" : "; at the next start: " + left) +
+                    (missing.empty() ? "" : ". " + missing)};
 }
 
 }  // namespace vitrine

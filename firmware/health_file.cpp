@@ -86,6 +86,8 @@ std::string prometheus_text(const Health& health) {
   out.single("vitrine_failing", "gauge", "1: an error card is on show.", health.failing ? 1 : 0);
   out.single("vitrine_waiting_for_screen", "gauge", "1: no screen is plugged in.",
              health.waiting_for_screen ? 1 : 0);
+  out.single("vitrine_waiting_for_buttons", "gauge", "1: a button or an input device is missing.",
+             health.waiting_for_buttons ? 1 : 0);
   out.single("vitrine_presses_total", "counter", "Presses of buttons.", health.presses);
   out.single("vitrine_slowest_press_seconds", "gauge", "The longest time from a press to its label.",
              health.slowest_press_s);

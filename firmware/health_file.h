@@ -20,6 +20,7 @@ struct Health {
   std::string mode;
   bool failing = false;  ///< an error card is on show
   bool waiting_for_screen = false;
+  bool waiting_for_buttons = false;  ///< one of the config is not there
   std::uint64_t presses = 0;
   double slowest_press_s = 0.0;
   std::uint64_t resident_bytes = 0;

@@ -325,6 +325,7 @@ void Kiosk::tell_supervisor() {
                                .traced = exhibit_.tracing(),
                                .failing = !hud_.error.empty(),
                                .waiting_for_screen = display_.waiting_for_screen(),
+                               .buttons_notice = buttons_.notice(),
                                .presses = report_.presses,
                                .slowest_press_s = report_.slowest_press_ms / 1000.0});
 }

@@ -18,7 +18,8 @@ std::string status_line(const FrameNews& news, const std::string& governor) {
   char rate[32];
   std::snprintf(rate, sizeof rate, ", %.1f fps", news.frames_per_second);
   return (news.failing ? "an error card over " : "") + news.scene + ", " + news.mode +
-         (news.frames_per_second > 0.0 ? rate : "") + (governor.empty() ? "" : ", " + governor);
+         (news.frames_per_second > 0.0 ? rate : "") + (governor.empty() ? "" : ", " + governor) +
+         (news.buttons_notice.empty() ? "" : "; " + news.buttons_notice);
 }
 
 }  // namespace
@@ -47,6 +48,7 @@ void Supervisor::presented(const FrameNews& news) {
   ++health_.frames;
   if (news.traced && frame_before_) health_.frame_times.add(news.time - *frame_before_);
   frame_before_ = news.time;
+  tell_of_buttons(news.buttons_notice);
   if (due(read_thermals_, news.time, kThermalPeriod)) {
     read_thermals_ = news.time;
     health_.thermals = read_thermals(thermal_zone_, settings_.governor.throttled);
@@ -64,6 +66,7 @@ void Supervisor::presented(const FrameNews& news) {
     health_.mode = news.mode;
     health_.failing = news.failing;
     health_.waiting_for_screen = news.waiting_for_screen;
+    health_.waiting_for_buttons = !news.buttons_notice.empty();
     health_.presses = news.presses;
     health_.slowest_press_s = news.slowest_press_s;
     health_.resident_bytes = resident_bytes();
@@ -78,6 +81,12 @@ void Supervisor::write_health() {
   } catch (const std::exception& error) {
     if (!std::exchange(write_failed_, true)) std::cerr << "vitrine: " << error.what() << '\n';
   }
+}
+
+void Supervisor::tell_of_buttons(const std::string& notice) {
+  if (notice == buttons_notice_) return;
+  buttons_notice_ = notice;
+  if (!notice.empty()) std::cerr << "vitrine: " << notice << '\n';
 }
 
 std::string Supervisor::governor_line() const {

@@ -23,6 +23,7 @@ struct FrameNews {
   bool traced = false;  ///< the tracer was at work
   bool failing = false;
   bool waiting_for_screen = false;
+  std::string buttons_notice{};  ///< which buttons are waited for, and why
   std::uint64_t presses = 0;
   double slowest_press_s = 0.0;
 };
@@ -52,6 +53,8 @@ class Supervisor {
 
  private:
   void write_health();
+  /// Into the journal, whenever it changes.
+  void tell_of_buttons(const std::string& notice);
 
   Settings settings_;
   Supervision supervision_;
@@ -64,6 +67,7 @@ class Supervisor {
   std::optional<Clock::time_point> read_thermals_;
   std::optional<Clock::time_point> wrote_health_;
   bool write_failed_ = false;  ///< told once
+  std::string buttons_notice_;
 };
 
 }  // namespace vitrine

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "device_access.h"
 #include "gpio_places.h"
@@ -11,6 +12,8 @@
 
 namespace vitrine {
 namespace {
+
+constexpr std::chrono::seconds kLookPeriod{1};
 
 /// Why a request failed, for a person who holds the wires.
 std::string request_problem(const GpioPlace& place, const GpioInventory& inventory, int error) {
@@ -28,7 +31,10 @@ std::string request_problem(const GpioPlace& place, const GpioInventory& invento
          "; wire a line that can interrupt, and check its bias";
 }
 
-std::unique_ptr<RequestedLine> take_line(const GpioLine& line, const GpioInventory& inventory) {
+}  // namespace
+
+std::unique_ptr<RequestedLine> take_line(const GpioLine& line) {
+  const GpioInventory inventory = find_gpio_chips();
   const GpioPlace place = find_line(line, inventory);
   try {
     return request_line({.chip = place.chip,
@@ -42,27 +48,24 @@ std::unique_ptr<RequestedLine> take_line(const GpioLine& line, const GpioInvento
   }
 }
 
-void report(const std::string& button, std::optional<Debouncer::Change> change,
-            std::vector<ButtonEvent>& events) {
-  if (change) events.push_back({button, change->active ? Edge::kPress : Edge::kRelease, change->time});
-}
-
-}  // namespace
-
-GpioButtons::GpioButtons(std::span<const GpioLine> lines) {
-  const GpioInventory inventory = find_gpio_chips();
-  for (const GpioLine& line : lines) {
-    std::unique_ptr<RequestedLine> taken = take_line(line, inventory);
-    const Debouncer debouncer(taken->debounced() ? Clock::duration{0} : line.debounce);
-    contacts_.push_back({line.button, std::move(taken), debouncer});
-  }
+GpioButtons::GpioButtons(std::span<const GpioLine> lines, Take take) : take_(std::move(take)) {
+  for (const GpioLine& line : lines) contacts_.push_back({line, Debouncer(line.debounce)});
+  look_for_lines();
 }
 
 std::vector<ButtonEvent> GpioButtons::poll(std::chrono::milliseconds timeout) {
   const Clock::time_point end = Clock::now() + timeout;
   std::vector<ButtonEvent> events;
   while (true) {
-    for (Contact& contact : contacts_) take(contact, events);
+    if (Clock::now() >= next_look_) look_for_lines();
+    for (Contact& contact : contacts_) {
+      if (!contact.line) continue;
+      try {
+        read(contact, events);
+      } catch (const std::system_error& error) {
+        lose(contact, error.code().value(), events);
+      }
+    }
     if (!events.empty() || Clock::now() >= end) break;
     wait(end);
   }
@@ -70,25 +73,65 @@ std::vector<ButtonEvent> GpioButtons::poll(std::chrono::milliseconds timeout) {
   return events;
 }
 
-void GpioButtons::take(Contact& contact, std::vector<ButtonEvent>& events) {
+std::string GpioButtons::notice() const {
+  std::string notice;
+  for (const Contact& contact : contacts_) {
+    if (!contact.line) notice += (notice.empty() ? "" : ". ") + contact.problem;
+  }
+  return notice;
+}
+
+void GpioButtons::look_for_lines() {
+  next_look_ = Clock::now() + kLookPeriod;
+  for (Contact& contact : contacts_) {
+    if (contact.line) continue;
+    try {
+      contact.line = take_(contact.wire);
+      contact.debouncer = Debouncer(contact.line->debounced() ? Clock::duration{0} : contact.wire.debounce);
+    } catch (const std::runtime_error& error) {
+      contact.problem = error.what();
+    }
+  }
+}
+
+void GpioButtons::read(Contact& contact, std::vector<ButtonEvent>& events) {
   while (true) {
     while (readable_now(contact.line->descriptor())) {
       for (const LineEdge& edge : contact.line->edges())
-        report(contact.button, contact.debouncer.edge(edge.active, edge.time), events);
+        report(contact, contact.debouncer.edge(edge.active, edge.time), events);
     }
     const std::optional<Clock::time_point> rest = contact.debouncer.deadline();
     if (!rest || Clock::now() < *rest) return;
     const bool level = contact.line->active();
     // An edge that slipped in before the level was read may be what the level is about.
     if (readable_now(contact.line->descriptor())) continue;
-    report(contact.button, contact.debouncer.settle(level), events);
+    report(contact, contact.debouncer.settle(level), events);
     return;
   }
+}
+
+void GpioButtons::report(Contact& contact, std::optional<Debouncer::Change> change,
+                         std::vector<ButtonEvent>& events) {
+  if (!change) return;
+  contact.pressed = change->active;
+  events.push_back({contact.wire.button, change->active ? Edge::kPress : Edge::kRelease, change->time});
+}
+
+void GpioButtons::lose(Contact& contact, int error, std::vector<ButtonEvent>& events) {
+  contact.line.reset();
+  contact.problem = "button '" + contact.wire.button + "': its GPIO chip is gone (" +
+                    std::generic_category().message(error) + "); plug it in again";
+  if (std::exchange(contact.pressed, false))
+    events.push_back({contact.wire.button, Edge::kRelease, Clock::now()});
 }
 
 void GpioButtons::wait(Clock::time_point until) const {
   std::vector<int> descriptors;
   for (const Contact& contact : contacts_) {
+    if (!contact.line) {
+      until = std::min(until, next_look_);
+      continue;
+    }
     descriptors.push_back(contact.line->descriptor());
     if (const auto rest = contact.debouncer.deadline()) until = std::min(until, *rest);
   }
