@@ -53,8 +53,6 @@ int show_kiosk(const RunRequest& request, const BoxConfig& box, KioskSettings se
                SyntheticClock& synthetic, Workers& workers, const std::atomic<bool>& stop) {
   if (request.out) require_png(*request.out);
   RewirableButtons buttons([&] { return open_buttons_of(request, box, panel, synthetic); });
-  if (const std::string notice = buttons.notice(); !notice.empty())
-    std::cerr << "vitrine: " << notice << '\n';
 
   const NotifySocket socket(environment("NOTIFY_SOCKET"));
   Supervisor supervisor(
@@ -80,6 +78,10 @@ int show_kiosk(const RunRequest& request, const BoxConfig& box, KioskSettings se
     write_png(*request.out, shown.width, shown.height, shown.rgb);
   }
   report(request, panel, session);
+  if (kiosk.held_by_a_load()) {
+    panel = {};  // the screen and its console are given back
+    leave_now(kDone);
+  }
   return kDone;
 }
 

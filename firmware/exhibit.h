@@ -91,6 +91,8 @@ class Exhibit {
   [[nodiscard]] std::uint64_t edition() const { return edition_; }
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] bool loading() const { return loading_; }
+  /// Whether its end would have to wait for a load that nobody can stop.
+  [[nodiscard]] bool held_by_a_load() const { return loader_.busy(); }
   /// Set by hand, relative to none at all.
   [[nodiscard]] std::optional<Exposure> manual_exposure() const;
   /// Traced by the passes that ended, of all pictures since the beginning.

@@ -1,5 +1,7 @@
 #include "exit_status.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -15,14 +17,23 @@ int fail(ExitStatus status, const char* message) {
   return status;
 }
 
+/// What was printed has to arrive for a program to have done its work.
+int finished(int status) {
+  if (std::cout.flush()) return status;
+  return fail(kFailed, "standard output cannot be written; free some room or redirect it");
+}
+
 }  // namespace
+
+void leave_now(int status) {
+  status = finished(status);
+  std::fflush(nullptr);
+  std::_Exit(status);
+}
 
 int report_failures(const std::function<int()>& program) {
   try {
-    const int status = program();
-    if (!std::cout.flush())
-      return fail(kFailed, "standard output cannot be written; free some room or redirect it");
-    return status;
+    return finished(program());
   } catch (const UsageError& error) {
     return fail(kUsage, error.what());
   } catch (const InputError& error) {

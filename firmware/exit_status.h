@@ -20,6 +20,10 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Ends the process as returning `status` from `program` below would, but at once: what other threads do is
+/// neither waited for nor taken apart.
+[[noreturn]] void leave_now(int status);
+
 /// Runs `program` and returns its status; what it throws becomes one line on stderr and the status that
 /// belongs to it.
 int report_failures(const std::function<int()>& program);

@@ -65,6 +65,9 @@ class Kiosk {
   /// Runs until the button "quit", the last frame, or `stop`.
   KioskReport run(const std::atomic<bool>& stop);
 
+  /// Whether its end would have to wait for the load of a scene, which may take seconds.
+  [[nodiscard]] bool held_by_a_load() const { return exhibit_.held_by_a_load(); }
+
   /// What the labels of the latest frame say.
   [[nodiscard]] const HudState& hud() const { return hud_; }
 

@@ -47,6 +47,11 @@ std::optional<LoadOutcome> SceneLoader::take() {
   return std::exchange(outcome_, std::nullopt);
 }
 
+bool SceneLoader::busy() const {
+  const std::lock_guard lock(mutex_);
+  return busy_ || wish_;
+}
+
 LoadOutcome SceneLoader::load(const Wish& wish) const {
   try {
     return {load_(wish.scene, wish.numbers), ""};
@@ -77,9 +82,11 @@ void SceneLoader::work() {
     if (quitting_) return;
     const Wish wish = *std::exchange(wish_, std::nullopt);
     superseded_ = false;
+    busy_ = true;
     lock.unlock();
     LoadOutcome outcome = load(wish);
     lock.lock();
+    busy_ = false;
     keep(wish, outcome.scene);
     if (!superseded_) outcome_ = std::move(outcome);
   }

@@ -37,6 +37,8 @@ class SceneLoader {
   void request(const PlaylistScene& scene, Numbers numbers);
   /// The outcome of the latest request, once, when it is there.
   std::optional<LoadOutcome> take();
+  /// Whether a load is under way, be it one that nobody wants any more.
+  [[nodiscard]] bool busy() const;
 
  private:
   struct Wish {
@@ -55,10 +57,11 @@ class SceneLoader {
   void work();
 
   const LoadScene load_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<Wish> wish_;  ///< asked for and not begun
   bool superseded_ = false;   ///< the load under way is of no use any more
+  bool busy_ = false;
   bool quitting_ = false;
   std::optional<LoadOutcome> outcome_;
   std::list<std::pair<Wish, std::shared_ptr<const LoadedScene>>> kept_;  ///< the latest first
