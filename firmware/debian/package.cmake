@@ -19,7 +19,7 @@ install(FILES ${package_folder}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} CO
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME vitrine)
-set(CPACK_PACKAGE_CONTACT "Seed cbdcca23 maintainers <maintainers@users.noreply.h-seed-cbdcca23.example>")
+set(CPACK_PACKAGE_CONTACT "vitrine maintainers <maintainers@vitrine.example>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_PREFIX /usr)
 set(CPACK_SET_DESTDIR ON)  # the configuration's folder is absolute
