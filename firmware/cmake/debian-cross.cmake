@@ -8,15 +8,15 @@ if(VITRINE_ARCH STREQUAL "arm64")
   set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
   set(emulator qemu-aarch64 -cpu cortex-a53)
 elseif(VITRINE_ARCH STREQUAL "armhf")
-  # Debian's baseline: ARMv7-A, VFPv3-D16, no NEON.
+  # Debian's baseline is ARMv7-A with VFPv3-D16; a program that used NEON or a division would be stopped.
   set(CMAKE_SYSTEM_PROCESSOR armv7l)
   set(CMAKE_LIBRARY_ARCHITECTURE arm-linux-gnueabihf)
-  set(emulator qemu-arm -cpu cortex-a9)
+  set(emulator qemu-arm -cpu cortex-a9,neon=off)
 elseif(VITRINE_ARCH STREQUAL "armel")
-  # ARMv5TE without a floating-point unit; the emulated processor knows no later instruction.
+  # ARMv5TE without a floating-point unit; a program that used one, or a later instruction, would be stopped.
   set(CMAKE_SYSTEM_PROCESSOR armv5tel)
   set(CMAKE_LIBRARY_ARCHITECTURE arm-linux-gnueabi)
-  set(emulator qemu-arm -cpu arm926)
+  set(emulator qemu-arm -cpu arm926,vfp=off)
 else()
   message(FATAL_ERROR "VITRINE_ARCH is '${VITRINE_ARCH}'; arm64, armhf or armel is wanted")
 endif()
