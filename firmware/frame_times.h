@@ -26,7 +26,7 @@ class FrameTimes {
     if (latest_.size() < kLatest) {
       latest_.push_back(time.count());
     } else {
-      latest_[count_ % kLatest] = time.count();
+      latest_[static_cast<std::size_t>(count_ % kLatest)] = time.count();
     }
     ++count_;
   }
