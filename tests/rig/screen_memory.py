@@ -52,24 +52,20 @@ def _brightness(colour, bits):
     return colour * 255 // ((1 << bits) - 1)
 
 
-def _mapped(layout, picture, brightness):
-    """Each colour's value through brightness(value, bits, x, y)."""
+def shown_in(layout, picture):
+    """The picture as a screen of that layout shows it."""
     bits = [bits for _, bits in LAYOUTS[layout].colours]
     values = bytearray(picture.tobytes())
     for at, value in enumerate(values):
         y, x = divmod(at // 3, picture.width)
-        values[at] = brightness(value, bits[at % 3], x, y)
+        values[at] = _brightness(level(value, bits[at % 3], x, y), bits[at % 3])
     return Image.frombytes("RGB", picture.size, bytes(values))
-
-
-def shown_in(layout, picture):
-    """The picture as a screen of that layout shows it."""
-    return _mapped(layout, picture, lambda value, bits, x, y: _brightness(level(value, bits, x, y), bits))
 
 
 def seen_in(layout, screenshot):
     """A screenshot in which the layout's bits are the uppermost of 8, in the brightnesses of shown_in()."""
-    return _mapped(layout, screenshot, lambda value, bits, x, y: _brightness(value >> 8 - bits, bits))
+    return screenshot.point([_brightness(value >> 8 - bits, bits)
+                             for _, bits in LAYOUTS[layout].colours for value in range(256)])
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ class SpiPanel:
     def __init__(self, width, height, trace):
         """`trace`: the file that QEMU writes, with the options `devices`."""
         self.width, self.height = width, height
-        self.fills = 0
+        self.shown = []  # pictures, one for each window that was filled
         self._trace, self._read, self._pending = trace, 0, b""
         self._screen = FrameBuffer(width, height, 2 * width, "r5g6b5", 0)
         self._memory = bytearray(self._screen.bytes)
@@ -37,8 +37,12 @@ class SpiPanel:
         return b"MIPI DBI".ljust(15, b"\0") + b"\1" + b"".join(
             bytes((command, len(arguments))) + arguments for command, arguments in commands)
 
-    def picture(self):
-        """What the panel shows now, in RGB."""
+    def wanted(self, picture):
+        """The picture as one of `shown`."""
+        return _swapped(self._screen.memory(picture))
+
+    def follow(self):
+        """Reads what was traced since the last time."""
         with open(self._trace, "rb") as trace:
             trace.seek(self._read)
             *lines, self._pending = (self._pending + trace.read()).split(b"\n")
@@ -48,9 +52,7 @@ class SpiPanel:
             if at >= 0:
                 words = line[at + 8:].split()
                 self._change(int(words[0]), int(words[-1]))
-        swapped = bytearray(self._memory)
-        swapped[::2], swapped[1::2] = self._memory[1::2], self._memory[::2]
-        return self._screen.picture(swapped)
+        return self.shown
 
     def _change(self, line, level):
         rising = level and not self._levels[line]
@@ -67,7 +69,6 @@ class SpiPanel:
     def _take(self, byte):
         if not self._levels[self.IS_ARGUMENT]:
             self._command, self._arguments = byte, bytearray()
-            self.fills += byte == _FILL
             return
         self._arguments.append(byte)
         if self._command in self._window and len(self._arguments) == 4:
@@ -77,6 +78,15 @@ class SpiPanel:
             self._store(len(self._arguments) - 1, byte)
 
     def _store(self, index, byte):
-        (left, right), (top, _) = self._window[_SET_COLUMNS], self._window[_SET_ROWS]
-        row, column = divmod(index, 2 * (right - left + 1))
+        (left, right), (top, bottom) = self._window[_SET_COLUMNS], self._window[_SET_ROWS]
+        width = 2 * (right - left + 1)
+        row, column = divmod(index, width)
         self._memory[((top + row) * self.width + left) * 2 + column] = byte
+        if index + 1 == width * (bottom - top + 1):
+            self.shown.append(bytes(self._memory))
+
+
+def _swapped(words):
+    swapped = bytearray(words)
+    swapped[::2], swapped[1::2] = words[1::2], words[::2]
+    return bytes(swapped)
