@@ -15,6 +15,9 @@ namespace {
 constexpr double kRateTolerance_hz = 1.0;
 constexpr double kUsualRate_hz = 60.0;
 constexpr int kMaxSide = 16384;
+/// What any screen shows and a small board can fill, either way round.
+constexpr int kUsualLongSide = 1920;
+constexpr int kUsualShortSide = 1080;
 
 template <class Number>
 bool take_number(std::string_view& text, Number& number) {
@@ -29,9 +32,13 @@ bool take_sign(std::string_view& text, char sign) {
   return true;
 }
 
-/// Greater is better.
+/// Greater is better. A screen whose EDID prefers nothing may still list sizes that are not its pixels' and
+/// that no board fills in time, such as 5120x2160: of these the largest is not what a person would take.
 auto worth(const ScreenMode& mode) {
-  return std::tuple(!mode.interlaced, mode.preferred, mode.width * mode.height,
+  const auto [short_side, long_side] = std::minmax(mode.width, mode.height);
+  const bool large_is_good = mode.preferred || (short_side <= kUsualShortSide && long_side <= kUsualLongSide);
+  const int area = mode.width * mode.height;
+  return std::tuple(!mode.interlaced, mode.preferred, large_is_good, large_is_good ? area : -area,
                     -std::abs(mode.refresh_hz - kUsualRate_hz));
 }
 

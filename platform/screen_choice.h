@@ -23,7 +23,8 @@ struct ModeWish {
 [[nodiscard]] ModeWish parse_mode(std::string_view text);
 
 /// The mode that fits the wish, at a rate within 1 Hz where it names one, or none; without a wish the one
-/// that the screen prefers, or else its largest. Interlaced modes come last.
+/// that the screen prefers, or else its largest up to 1920x1080, or else its smallest. Interlaced modes come
+/// last.
 [[nodiscard]] std::optional<std::size_t> choose_mode(std::span<const ScreenMode> modes,
                                                      const std::optional<ModeWish>& wish);
 

@@ -44,8 +44,26 @@ TEST(ScreenChoice, TheModeThatTheScreenPrefers) {
   EXPECT_EQ(choose_mode(kTelevision, {}), 3U);
   std::vector<ScreenMode> undecided = kTelevision;
   undecided[3].preferred = false;
-  EXPECT_EQ(choose_mode(undecided, {}), 5U) << "the largest";
+  EXPECT_EQ(choose_mode(undecided, {}), 2U) << "the largest that a board can fill";
   EXPECT_EQ(choose_mode({}, {}), std::nullopt);
+}
+
+TEST(ScreenChoice, AScreenThatPrefersNothingIsNotTakenForAWall) {
+  // What the kernel makes of a small virtual monitor's EDID.
+  std::vector<ScreenMode> modes = {
+      {.width = 5120, .height = 2160, .refresh_hz = 50.0},
+      {.width = 4096, .height = 2160, .refresh_hz = 60.0},
+      {.width = 1920, .height = 1200, .refresh_hz = 60.0},
+      {.width = 1280, .height = 1024, .refresh_hz = 60.0},
+      {.width = 640, .height = 480, .refresh_hz = 60.0},
+  };
+  EXPECT_EQ(choose_mode(modes, {}), 3U);
+  EXPECT_EQ(choose_mode(std::span(modes).first(3), {}), 2U) << "none is small: the smallest";
+  EXPECT_EQ(choose_mode(modes, parse_mode("5120x2160")), 0U) << "it can still be asked for";
+  modes[0].preferred = true;
+  EXPECT_EQ(choose_mode(modes, {}), 0U) << "its own pixels";
+  modes = {{.width = 1080, .height = 1920}, {.width = 640, .height = 480}};
+  EXPECT_EQ(choose_mode(modes, {}), 0U) << "a panel that stands upright";
 }
 
 TEST(ScreenChoice, TheModeAskedFor) {

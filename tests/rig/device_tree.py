@@ -1,5 +1,5 @@
 """What the guest's kernel is told about the board. QEMU writes the tree of its machine; an overlay adds what the box
-has: names of the button lines, keys on lines, a plain frame buffer."""
+has: names of the button lines, keys on lines, plain frame buffers, a panel on a wire."""
 import re
 import subprocess
 
@@ -48,6 +48,20 @@ class DeviceTree:
             framebuffer@{buffer.address:x} {{ compatible = "simple-framebuffer"; reg = <{at} {length}>;
               width = <{buffer.width}>; height = <{buffer.height}>; stride = <{buffer.stride}>;
               format = "{buffer.layout}"; }};""")
+
+    def add_spi_panel(self, panel):
+        """A MIPI DBI panel on a bit-banged SPI bus; spi_panel.py tells which line is which wire."""
+        def wire(line, active_low=0):
+            return f"<{self.gpio} {line} {active_low}>"
+        timing = "".join(f"{name} = <0>; " for name in ("hback-porch", "hfront-porch", "hsync-len", "vback-porch",
+                                                        "vfront-porch", "vsync-len", "clock-frequency"))
+        return self.add("/", f"""
+            spi-panel {{ compatible = "spi-gpio"; #address-cells = <1>; #size-cells = <0>; num-chipselects = <1>;
+              sck-gpios = {wire(panel.CLOCK)}; mosi-gpios = {wire(panel.DATA)}; cs-gpios = {wire(panel.SELECT, 1)};
+              display@0 {{ compatible = "{panel.FIRMWARE}", "panel-mipi-dbi-spi"; reg = <0>; write-only;
+                spi-max-frequency = <10000000>; dc-gpios = {wire(panel.IS_ARGUMENT)};
+                reset-gpios = {wire(panel.RESET, 1)}; width-mm = <35>; height-mm = <28>;
+                panel-timing {{ hactive = <{panel.width}>; vactive = <{panel.height}>; {timing} }}; }}; }};""")
 
     def write(self):
         """The finished tree, a file for -dtb."""

@@ -20,13 +20,13 @@ class GuestError(Exception):
 class Guest:
     """`with Guest("arm64", folder, devices=[...]) as guest:` boots; `folder` on the host is /host in the guest."""
 
-    def __init__(self, machine, folder, devices=(), board=None, memory="256M", boot="", limit=240):
+    def __init__(self, machine, folder, devices=(), board=None, memory="256M", boot="", limit=480):
         """`board`: a function that edits the DeviceTree. `boot`: more words for the kernel. `limit`: seconds, of the
         whole guest's life."""
         self.folder = Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
-        self._give_up = time.monotonic() + limit
         images = prepare(machine)
+        self._give_up = time.monotonic() + limit
         start = [*MACHINES[machine].qemu, "-m", memory]
         command = [*start, "-nodefaults", "-no-reboot", "-display", "none",
                    "-kernel", str(images["kernel"]), "-initrd", str(images["initrd"]),
@@ -101,13 +101,11 @@ class Guest:
         self.qmp("screendump", filename=str(file), format="png", **more)
         return pictures.load(file)
 
-    def frame_buffer(self, buffer, name="memory"):
-        """What a simple frame buffer's memory shows now."""
+    def memory(self, address, size, name="memory"):
+        """The bytes of the guest's memory at a physical address, now; kept in the folder."""
         file = self.folder / f"{name}.raw"
-        self.qmp("pmemsave", val=buffer.address, size=buffer.bytes, filename=str(file))
-        picture = buffer.picture(file.read_bytes())
-        picture.save(self.folder / f"{name}.png")
-        return picture
+        self.qmp("pmemsave", val=address, size=size, filename=str(file))
+        return file.read_bytes()
 
     def _marker(self, said=None, seconds=None):
         """What comes behind the next "@@"; the lines before it are added to `said`."""

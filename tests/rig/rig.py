@@ -7,20 +7,25 @@ import traceback
 from concurrent.futures import ThreadPoolExecutor
 
 from machines import BUILD, Skip
-from scenarios.frame_buffers import frame_buffer
+from scenarios.frame_buffers import frame_buffers
+from scenarios.hotplug import hotplug
 from scenarios.limits import press_time, tearing
 from scenarios.kernel_keys import keys
 from scenarios.screen_and_buttons import press_to_picture
+from scenarios.sixteen_bits import cirrus, spi_panel
 from scenarios.supervision import killed, late_screen, watchdog
 
 # Longest first: two guests run at a time.
 SCENARIOS = {
     "buttons-arm64": press_to_picture("arm64"),
     "killed": killed,
-    "fbdev-16-bits": frame_buffer("16 bits"),
+    "frame-buffers": frame_buffers,
+    "spi-panel": spi_panel,
     "late-screen": late_screen,
     "watchdog": watchdog,
     "keys": keys,
+    "hotplug": hotplug,
+    "cirrus": cirrus,
     "press-time": press_time,
     "tearing": tearing,
 }
