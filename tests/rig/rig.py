@@ -8,20 +8,25 @@ from concurrent.futures import ThreadPoolExecutor
 
 from machines import BUILD, Skip
 from scenarios.frame_buffers import frame_buffer
-from scenarios.limits import press_time, tearing
+from scenarios.limits import memory, press_time, tearing
 from scenarios.kernel_keys import keys
+from scenarios.read_only import read_only_root
 from scenarios.screen_and_buttons import press_to_picture
+from scenarios.service import service
 from scenarios.supervision import killed, late_screen, watchdog
 
 # Longest first: two guests run at a time.
 SCENARIOS = {
     "buttons-arm64": press_to_picture("arm64"),
+    "service": service,
+    "memory": memory,
     "killed": killed,
     "fbdev-16-bits": frame_buffer("16 bits"),
     "late-screen": late_screen,
     "watchdog": watchdog,
     "keys": keys,
     "press-time": press_time,
+    "read-only-root": read_only_root,
     "tearing": tearing,
 }
 AT_A_TIME = 2
