@@ -1,9 +1,12 @@
 #include "command_run.h"
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
+#include <thread>
 
 #include "backends.h"
 #include "command_check.h"
@@ -131,6 +134,23 @@ BoxConfig choose_box(const RunRequest& request) {
   }
 }
 
+/// The display of the box. A service never makes do with memory for want of a screen: the driver may come
+/// late, so it asks the service manager for patience and looks again, until `stop`.
+Panel open_screen(const std::string& key, const DisplayRequest& request, const std::atomic<bool>& stop) {
+  Panel panel = open_display(key, request);
+  const std::string address = environment("NOTIFY_SOCKET");
+  if (key != "auto" || panel.backend != "headless" || address.empty()) return panel;
+  std::cerr << "vitrine: " << panel.notice << "; waiting for a screen\n";
+  const NotifySocket socket(address);
+  Supervision manager([&socket](const std::string& message) { socket.send(message); }, std::nullopt);
+  while (panel.backend == "headless" && !stop) {
+    manager.waiting_for_screen(Clock::now());
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    panel = open_display(key, request);
+  }
+  return panel;
+}
+
 int run(const RunRequest& request) {
   const BoxConfig box = choose_box(request);
   Programme programme = choose_programme(request, box);
@@ -144,7 +164,8 @@ int run(const RunRequest& request) {
                                .buttons = button_specs_of(box),
                                .options = box.hardware.display.options(),
                                .clock = request.script ? &synthetic : nullptr};
-  Panel panel = open_display(box.display_key(), display);
+  Panel panel = open_screen(box.display_key(), display, stop);
+  if (stop) return kDone;
   if (!panel.notice.empty()) std::cerr << "vitrine: " << panel.notice << '\n';
   const bool headless = panel.backend == "headless";
   if (programme.failure && headless) std::rethrow_exception(programme.failure);

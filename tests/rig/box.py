@@ -82,9 +82,10 @@ class Expected:
 class Session:
     """`vitrine run OPTIONS`, started in the background. It ends with the scenario's guest, or by stop()."""
 
-    def __init__(self, guest, options, script=None, config=None, environment="", name="session", scene=SCENE):
+    def __init__(self, guest, options, script=None, config=None, environment="", name="session", scene=SCENE,
+                 threads=1):
         self.guest, self._name = guest, name
-        words = ["run", scene, "--threads", "1", "--json", options]
+        words = ["run", scene, "--threads", str(threads), "--json", options]
         if script is not None:
             (guest.folder / f"{name}.script").write_text(script, encoding="utf-8")
             words += ["--script", f"/host/{name}.script"]
@@ -120,13 +121,13 @@ class Session:
 
     def await_picture(self, look, wanted, seconds=60, but=0):
         """Waits until `look()`, a picture, has at most `but` pixels unlike `wanted`."""
-        until = time.monotonic() + seconds
+        passed = self.guest.deadline(seconds)
         while True:
             shown = look()
             wrong = pictures.differing(shown, wanted)
             if wrong <= but:
                 return shown
-            if time.monotonic() > until:
+            if passed():
                 wanted.save(self.guest.folder / "wanted.png")
                 alive = "" if self.alive() else "; the program has ended"
                 raise GuestError(f"{wrong} of {wanted.width * wanted.height} pixels of the screen {shown.size} are"

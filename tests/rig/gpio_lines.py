@@ -1,7 +1,5 @@
 """The wires of the box's buttons: the eight inputs of the emulated machine's PL061, set from outside while the guest
 runs. A real button's contacts bounce, so a press here does too, unless it is asked not to."""
-import time
-
 # What the lines are called in the guest's device tree (device_tree.gpio_names), line 0 first.
 LINE_NAMES = ["BTN_A", "BTN_B", "BTN_C", "BTN_D", "BTN_E", "BTN_F", "KEY_A", "KEY_B"]
 
@@ -11,8 +9,11 @@ BOUNCES = (len(_MAKE) + len(_BREAK)) // 2  # presses that a naive reader would c
 
 
 class GpioLines:
-    def __init__(self, qmp, qtest):
+    """`sleep`: waits for some seconds of the guest's clock."""
+
+    def __init__(self, qmp, qtest, sleep):
         self._qtest = qtest
+        self._sleep = sleep
         self._chip = qmp.find_object("pl061")
 
     def set(self, line, level):
@@ -28,12 +29,12 @@ class GpioLines:
     def press(self, *lines, seconds=0.15):
         """Presses buttons, holds them, and leaves them alone for a while."""
         self.down(*lines)
-        time.sleep(seconds)
+        self._sleep(seconds)
         self.up(*lines)
-        time.sleep(0.25)
+        self._sleep(0.25)
 
     def _play(self, lines, pattern):
         for level, seconds in pattern:
             for line in lines:
                 self.set(line, level)
-            time.sleep(seconds)
+            self._sleep(seconds)

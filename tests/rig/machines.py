@@ -10,7 +10,7 @@ BUILD = ROOT / "build" / "rig"
 _IMAGES = Path(__file__).resolve().parent / "images"
 
 _MODULES = """9p 9pnet_virtio virtio_pci virtio_console virtio_gpu cirrus bochs spi_gpio panel_mipi_dbi gpio_keys evdev
-virtio_input uinput overlay squashfs""".split()
+virtio_input uinput virtio_blk squashfs""".split()
 _DATA = ["cornell", "gallery", "furnace"]  # scenes that guests show
 
 _AARCH64 = ("qemu-system-aarch64", "-machine", "virt", "-cpu", "cortex-a53")
@@ -58,10 +58,10 @@ def _command(words):
     return done.stdout
 
 
-def packages(suite, arch, package):
-    """The folder of a package that was downloaded and unpacked."""
+def packages(suite, arch, package, *more):
+    """The folder of a package, and more that it needs, which were downloaded and unpacked."""
     folder = BUILD / f"{suite}-{arch}" / package
-    _command([_IMAGES / "packages", suite, arch, folder, package])
+    _command([_IMAGES / "packages", suite, arch, folder, package, *more])
     return folder
 
 
@@ -100,8 +100,25 @@ def prepare(name):
         made_of = [*files, *_IMAGES.iterdir(), Path(__file__)]
         if not initrd.exists() or any(file.stat().st_mtime > initrd.stat().st_mtime for file in made_of):
             scenes = [file for scene in _DATA for file in sorted((ROOT / "scenes").glob(f"{scene}[.-]*"))]
-            pairs = [f"{file}=usr/bin/{file.name}" for file in files]
+            pairs = [f"{file}=usr/bin/{file.name}" for file in [*files, _IMAGES / "rig_shell"]]
             pairs += [f"{file}=usr/share/vitrine/scenes/{file.name}" for file in scenes if file.is_file()]
             _command([_IMAGES / "initramfs", initrd, kernel_folder, busybox,
                       ROOT / "build" / "sysroots" / machine.sysroot, " ".join(_MODULES), _IMAGES / "init", *pairs])
         return {"kernel": next((kernel_folder / "boot").glob("vmlinuz-*")), "initrd": initrd}
+
+
+def systemd_root(name):
+    """A disk image for a machine: a read-only root with systemd, and the program installed as a service."""
+    machine = MACHINES[name]
+    prepare(name)
+    with _lock:
+        built = ROOT / "build" / machine.preset
+        tools = sorted((built / "tests" / "rig" / "tools").glob("*"))
+        image = BUILD / f"{name}-systemd.squashfs"
+        made_of = [built / "firmware" / "vitrine", *tools, *_IMAGES.iterdir(), *(ROOT / "firmware").glob("*vitrine*"),
+                   *(ROOT / "scenes").iterdir()]
+        if not image.exists() or any(file.stat().st_mtime > image.stat().st_mtime for file in made_of):
+            suite, arch = machine.sysroot.split("-")
+            busybox = packages("bookworm", arch, "busybox-static")
+            _command([_IMAGES / "systemd_root", image, suite, arch, built, busybox, _IMAGES / "rig_shell", *tools])
+        return image

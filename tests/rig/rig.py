@@ -9,24 +9,32 @@ from concurrent.futures import ThreadPoolExecutor
 from machines import BUILD, Skip
 from scenarios.frame_buffers import frame_buffers
 from scenarios.hotplug import hotplug
-from scenarios.limits import press_time, tearing
+from scenarios.limits import memory, press_time, tearing
 from scenarios.kernel_keys import keys
+from scenarios.read_only import read_only_root
 from scenarios.screen_and_buttons import press_to_picture
+from scenarios.service import service
 from scenarios.sixteen_bits import cirrus, spi_panel
 from scenarios.supervision import killed, late_screen, watchdog
 
 # Longest first: two guests run at a time.
 SCENARIOS = {
+    "press-time": press_time,
+    "service": service,
+    "read-only-root": read_only_root,
+    "memory": memory,
+    "spi-panel": spi_panel,
     "buttons-arm64": press_to_picture("arm64"),
+    "buttons-armhf": press_to_picture("armhf"),
+    "buttons-armel": press_to_picture("armel"),
+    "buttons-libgpiod2": press_to_picture("arm64-trixie"),
     "killed": killed,
     "frame-buffers": frame_buffers,
-    "spi-panel": spi_panel,
     "late-screen": late_screen,
     "watchdog": watchdog,
     "keys": keys,
     "hotplug": hotplug,
     "cirrus": cirrus,
-    "press-time": press_time,
     "tearing": tearing,
 }
 AT_A_TIME = 2
