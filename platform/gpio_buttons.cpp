@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "device_access.h"
-#include "gpio_places.h"
 #include "readable.h"
 
 namespace vitrine {
@@ -33,8 +32,7 @@ std::string request_problem(const GpioPlace& place, const GpioInventory& invento
 
 }  // namespace
 
-std::unique_ptr<RequestedLine> take_line(const GpioLine& line) {
-  const GpioInventory inventory = find_gpio_chips();
+std::unique_ptr<RequestedLine> take_line(const GpioLine& line, const GpioInventory& inventory) {
   const GpioPlace place = find_line(line, inventory);
   try {
     return request_line({.chip = place.chip,
@@ -83,10 +81,12 @@ std::string GpioButtons::notice() const {
 
 void GpioButtons::look_for_lines() {
   next_look_ = Clock::now() + kLookPeriod;
+  if (std::ranges::all_of(contacts_, [](const Contact& contact) { return contact.line != nullptr; })) return;
+  const GpioInventory inventory = find_gpio_chips();
   for (Contact& contact : contacts_) {
     if (contact.line) continue;
     try {
-      contact.line = take_(contact.wire);
+      contact.line = take_(contact.wire, inventory);
       contact.debouncer = Debouncer(contact.line->debounced() ? Clock::duration{0} : contact.wire.debounce);
     } catch (const std::runtime_error& error) {
       contact.problem = error.what();

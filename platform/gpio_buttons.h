@@ -15,16 +15,17 @@
 #include "buttons.h"
 #include "debounce.h"
 #include "gpio_lines.h"
+#include "gpio_places.h"
 
 namespace vitrine {
 
-/// Requests the line that the configuration means. Throws std::runtime_error, one line that says which
-/// button, why not, and what to do.
-[[nodiscard]] std::unique_ptr<RequestedLine> take_line(const GpioLine& line);
+/// Requests the line of this machine's chips that the configuration means. Throws std::runtime_error, one
+/// line that says which button, why not, and what to do.
+[[nodiscard]] std::unique_ptr<RequestedLine> take_line(const GpioLine& line, const GpioInventory& inventory);
 
 class GpioButtons final : public Buttons {
  public:
-  using Take = std::function<std::unique_ptr<RequestedLine>(const GpioLine&)>;
+  using Take = std::function<std::unique_ptr<RequestedLine>(const GpioLine&, const GpioInventory&)>;
 
   explicit GpioButtons(std::span<const GpioLine> lines, Take take = take_line);
 

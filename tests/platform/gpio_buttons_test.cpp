@@ -80,11 +80,13 @@ class GpioButtonsTest : public testing::Test {
     const std::vector<GpioLine> lines{
         {.button = "scene", .chip = "", .line = "A", .debounce = milliseconds(5)},
         {.button = "mode", .chip = "", .line = "B", .debounce = milliseconds(5)}};
-    return GpioButtons(lines, [this](const GpioLine& line) -> std::unique_ptr<RequestedLine> {
-      Wires::Wire& wire = wires_.all.at(line.line);
-      if (!wire.present) throw std::runtime_error("button '" + line.button + "': no line; wire one");
-      return std::make_unique<TestLine>(wire);
-    });
+    return GpioButtons(lines,
+                       [this](const GpioLine& line, const GpioInventory&) -> std::unique_ptr<RequestedLine> {
+                         Wires::Wire& wire = wires_.all.at(line.line);
+                         if (!wire.present)
+                           throw std::runtime_error("button '" + line.button + "': no line; wire one");
+                         return std::make_unique<TestLine>(wire);
+                       });
   }
   /// The next event, for which it waits as long as it takes.
   static ButtonEvent next(GpioButtons& buttons) {

@@ -29,7 +29,6 @@ class Guest:
         self.folder = Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
         images = prepare(machine)
-        self._give_up = time.monotonic() + limit
         start = [*MACHINES[machine].qemu, "-m", memory]
         command = [*start, "-nodefaults", "-no-reboot", "-display", "none",
                    "-kernel", str(images["kernel"]), "-initrd", str(images["initrd"]),
