@@ -15,7 +15,7 @@ from scenarios.read_only import read_only_root
 from scenarios.screen_and_buttons import press_to_picture
 from scenarios.service import service
 from scenarios.sixteen_bits import cirrus, spi_panel
-from scenarios.supervision import killed, late_screen, watchdog
+from scenarios.supervision import killed, late_screen, switched, watchdog
 
 # Longest first: two guests run at a time.
 SCENARIOS = {
@@ -29,6 +29,7 @@ SCENARIOS = {
     "buttons-armel": press_to_picture("armel"),
     "buttons-libgpiod2": press_to_picture("arm64-trixie"),
     "killed": killed,
+    "switched": switched,
     "frame-buffers": frame_buffers,
     "late-screen": late_screen,
     "watchdog": watchdog,

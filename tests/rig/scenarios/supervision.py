@@ -1,4 +1,4 @@
-"""What a box survives: a screen that comes late, a program that is killed, frames that stop."""
+"""What a box survives: a screen that comes late, another console, a program that is killed, frames that stop."""
 import time
 
 from box import DOUBLED, STILL, Expected, Session, doubled
@@ -19,6 +19,27 @@ def late_screen(folder, say):
         guest.run("modprobe virtio_gpu")
         session.await_picture(guest.screen, still)
         say(f"started without a display, process {session.pid} shows the picture once there is one")
+        session.stop()
+
+
+def switched(folder, say):
+    """Somebody asks for another console: it is shown, and the picture again after it."""
+    with Guest("arm64", folder, devices=_SCREEN) as guest:
+        guest.run("modprobe virtio_gpu; printf '\\033[2J\\033[Hanother console' >/dev/tty2")
+        still = doubled(Expected(guest)(_SIZE))
+        session = Session(guest, f"--display drm --buttons script --size {_SIZE}", script=STILL, config=DOUBLED)
+        session.await_picture(guest.screen, still)
+        guest.run("chvt 2", seconds=60)  # which waits until the program has given the screen away
+        for _ in range(20):
+            colours = len(guest.screen("console").getcolors(1 << 20))
+            if colours < 20:
+                break
+            time.sleep(0.3)
+        else:
+            raise AssertionError(f"console 2 has {colours} colours: it is still the picture")
+        guest.run("chvt 1", seconds=60)
+        session.await_picture(guest.screen, still)
+        say(f"console 2 is asked for and shows its text ({colours} colours); console 1 shows the picture again")
         session.stop()
 
 
